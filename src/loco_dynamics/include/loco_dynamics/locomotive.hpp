@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "loco_dynamics/exchange.hpp"
+
+namespace loco {
+
+/// One locomotive's dynamics between two exchanges with the train: the interface that the 1D, 2D and 3D models
+/// implement. A locomotive is a pure function (s_k, F_k) -> (s_k+1, answer): the object holds constants and scratch
+/// memory only, so whoever holds s_k can repeat the step anywhere, with the same bits.
+class Locomotive {
+ public:
+  virtual ~Locomotive() = default;
+
+  /// Length of the state vector.
+  virtual std::size_t stateSize() const = 0;
+
+  /// State in equilibrium, running freely at `speed_mps` at chainage `location_m`.
+  virtual std::vector<double> equilibriumState(double location_m, double speed_mps) const = 0;
+
+  /// Advances by one macro step.
+  /// @param state   s_k, of stateSize()
+  /// @param force   F_k
+  /// @param answer  everything is overwritten; answer.state becomes s_k+1, answer.failure says why the model cannot go
+  ///                on (then the rest does not hold). Does not throw; allocates only if answer.state is too small.
+  virtual void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) = 0;
+};
+
+}  // namespace loco

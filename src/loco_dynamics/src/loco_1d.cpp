@@ -1,0 +1,46 @@
+#include "loco_dynamics/loco_1d.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "rail_core/constants.hpp"
+
+namespace loco {
+
+Loco1d::Loco1d(const Parameters& parameters)
+    : parameters_(parameters),
+      adhesion_limit_N_(parameters.adhesion_limit * parameters.mass_kg * rail::kGravity_mps2) {}
+
+std::vector<double> Loco1d::equilibriumState(double location_m, double speed_mps) const {
+  return {location_m, speed_mps};
+}
+
+double computeAdhesionLimitedTraction(double reference_N, double adhesion_limit_N) {
+  return std::min(reference_N, adhesion_limit_N);
+}
+
+void Loco1d::step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) {
+  assert(state.size() == stateSize());
+  const double H = rail::toSeconds(force.step_length);
+  const double s = state[0];
+  const double v = state[1];
+
+  const double F_t = computeAdhesionLimitedTraction(force.traction_reference_N, adhesion_limit_N_);
+  const double F = force.coupler_front_N + force.coupler_rear_N + F_t + force.propulsion_resistance_N +
+                   force.curving_resistance_N + force.grade_N;  // Eq. (1)
+  const double v_end = v + H * F / parameters_.inertial_mass_kg;
+  const double s_end = s + H * v_end;
+
+  answer.step = force.step;
+  answer.traction_N = F_t;
+  answer.speed_mps = v_end;
+  answer.location_m = s_end;
+  answer.work_rim_J = F_t * 0.5 * (v + v_end) * H;  // no slip: rim = rail, Eq. (4)
+  answer.work_slip_J = 0.0;
+  answer.state.resize(stateSize());
+  answer.state[0] = s_end;
+  answer.state[1] = v_end;
+  answer.failure.clear();
+}
+
+}  // namespace loco

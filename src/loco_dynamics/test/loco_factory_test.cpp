@@ -1,0 +1,70 @@
+#include "loco_dynamics/loco_factory.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+constexpr const char* kScenario = R"(
+locomotive_model: 1d
+rotary_inertia: false
+train:
+  groups:
+    - {kind: wagon}
+    - repeat: 2
+      groups:
+        - vehicle:
+            name: Co-Co
+            mass_kg: 100000
+            axles: 6
+            length_m: 22
+            rotary_mass_kg_per_axle: 5000
+            adhesion_limit: 0.2
+            resistance: {per_mass_N_per_t: 1, per_axle_N: 1, per_mass_speed_N_per_t_kmph: 1,
+                         per_speed_squared_N_per_kmph2: 1, curving_N_m_per_t: 1}
+)";
+
+constexpr const char* kKey = "train.groups.1.groups.0.vehicle";
+
+TEST(LocoFactoryTest, FindsTheLocomotiveAtItsPathInTheScenario) {
+  rail::Problems problems;
+  const rail::Document document = rail::Document::parse(kScenario, "test.yaml", problems);
+  const auto locomotive = loco::makeLocomotive(document, kKey, problems);
+  ASSERT_TRUE(problems.empty()) << problems.lines().front();
+  ASSERT_NE(locomotive, nullptr);
+
+  loco::LocoForce force;
+  force.step_length = 1000000;
+  force.traction_reference_N = 1e9;
+  loco::LocoTraction answer;
+  locomotive->step(locomotive->equilibriumState(0.0, 0.0), force, answer);
+  EXPECT_DOUBLE_EQ(answer.traction_N, 0.2 * 100000 * 9.81);
+  EXPECT_DOUBLE_EQ(answer.speed_mps, 1e-3 * answer.traction_N / 100000);
+}
+
+TEST(LocoFactoryTest, CountsRotaryInertiaIfTheScenarioSaysSo) {
+  std::string text = kScenario;
+  text.replace(text.find("false"), 5, "true");
+  rail::Problems problems;
+  const rail::Document document = rail::Document::parse(text, "test.yaml", problems);
+  const auto locomotive = loco::makeLocomotive(document, kKey, problems);
+  ASSERT_NE(locomotive, nullptr);
+  loco::LocoForce force;
+  force.step_length = 1000000;
+  force.grade_N = 1000;
+  loco::LocoTraction answer;
+  locomotive->step({0.0, 0.0}, force, answer);
+  EXPECT_DOUBLE_EQ(answer.speed_mps, 1e-3 * 1000 / 130000);
+}
+
+TEST(LocoFactoryTest, RefusesAModelThatDoesNotExistAndAPathThatLeadsNowhere) {
+  std::string text = kScenario;
+  text.replace(text.find("1d"), 2, "7d");
+  rail::Problems problems;
+  const rail::Document document = rail::Document::parse(text, "test.yaml", problems);
+  EXPECT_EQ(loco::makeLocomotive(document, "train.groups.9.vehicle", problems), nullptr);
+  ASSERT_GE(problems.lines().size(), 2u);
+  EXPECT_NE(problems.lines()[0].find("locomotive_model"), std::string::npos);
+  EXPECT_NE(problems.lines()[1].find("has no entry 9"), std::string::npos);
+}
+
+}  // namespace

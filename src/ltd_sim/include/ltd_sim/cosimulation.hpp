@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "loco_dynamics/loco_port.hpp"
+#include "ltd_sim/outcome.hpp"
+#include "ltd_sim/run_observer.hpp"
+#include "ltd_sim/scenario.hpp"
+#include "ltd_sim/train_dynamics.hpp"
+
+namespace ltd {
+
+/// Drives the train and its locomotives, macro step by macro step:
+///   begin()      forces at t_k, sent to every locomotive
+///   tryCommit()  once all N have answered: speeds compared (the paper's synchronisation check), one step of LTD with
+///                the very forces that were sent, energies, observers, end of the run
+/// Never waits: whoever calls decides how. Sums run in index order, so the result does not depend on who answers first.
+class Cosimulation {
+ public:
+  /// Keeps references to scenario and ports (one per locomotive, from the head); observers are called in order.
+  Cosimulation(const Scenario& scenario, std::vector<loco::LocoPort*> ports, std::vector<RunObserver*> observers);
+
+  /// Tells the observers of the start. Call once, before begin().
+  void start();
+
+  /// @pre no step under way, not ended
+  void begin();
+  /// @return true if the step was committed (or the run failed in it)
+  bool tryCommit();
+  bool stepUnderWay() const { return under_way_; }
+
+  /// Ends the run from outside (stopped or failed); a step under way is given up. Does nothing if it has ended.
+  void end(Outcome::Kind kind, const std::string& reason);
+
+  const Outcome& outcome() const { return outcome_; }
+  const TrainState& state() const { return state_; }
+  rail::Nanoseconds time() const { return static_cast<rail::Nanoseconds>(state_.step) * scenario_.macro_step; }
+  double leadingLocation() const { return dynamics_.leadingLocation(state_); }
+  double leadingSpeed() const { return dynamics_.leadingSpeed(state_); }
+  const TrainForces& forces() const { return forces_; }
+  /// Largest difference of a locomotive's speed from LTD's so far [m/s].
+  double largestDrift() const { return largest_drift_mps_; }
+
+ private:
+  bool gatherAnswers();
+  std::string checkAnswers();
+  void checkEnd();
+  bool stalled();
+
+  const Scenario& scenario_;
+  std::vector<loco::LocoPort*> ports_;
+  std::vector<RunObserver*> observers_;
+  TrainDynamics dynamics_;
+  TrainState state_, before_;
+  TrainForces forces_;
+  std::vector<loco::LocoForce> loco_forces_;
+  std::vector<const loco::LocoTraction*> answers_;
+  Outcome outcome_;
+  bool under_way_ = false;
+  double largest_drift_mps_ = 0.0;
+};
+
+}  // namespace ltd

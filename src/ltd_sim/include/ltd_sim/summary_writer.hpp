@@ -1,0 +1,36 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "ltd_sim/csv_file.hpp"
+#include "ltd_sim/run_observer.hpp"
+
+namespace ltd {
+
+/// summary.csv, long form: model,vehicle,quantity,unit,location_km,value. For every locomotive at every report location
+/// (place of the leading locomotive): traction_force, speed, time, energy_rail, energy_rim, energy_slip, interpolated
+/// linearly in place between the two steps around it. Once per run, without vehicle and place: the energy account of
+/// the whole train and its residual, final values, and the real-time factor (wall time, so never the same twice).
+class SummaryWriter : public RunObserver {
+ public:
+  SummaryWriter(const Scenario& scenario, const std::string& path);
+  void onStart(const TrainState& state) override;
+  void onStep(const StepRecord& record) override;
+  void onEnd(const TrainState& state, const Outcome& outcome) override;
+
+ private:
+  void reportLocos(double location_m, double w, const TrainState& before, const TrainState& after);
+  void runRow(const std::string& quantity, const std::string& unit, double value);
+  void noteStepUse(const TrainForces& forces);
+
+  const Scenario& scenario_;
+  CsvFile file_;
+  std::size_t lead_;
+  std::size_t next_location_ = 0;
+  double largest_step_use_ = 0.0;
+  double largest_draft_N_ = 0.0, largest_buff_N_ = 0.0;
+  std::chrono::steady_clock::time_point started_;
+};
+
+}  // namespace ltd

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "loco_dynamics/exchange.hpp"
+#include "ltd_sim/driver.hpp"
+#include "ltd_sim/train_model.hpp"
+#include "rail_core/energy_account.hpp"
+#include "rail_core/track.hpp"
+
+namespace ltd {
+
+/// Energies of one locomotive since the start of the run [J].
+struct LocoEnergy {
+  double rail = 0.0;  ///< Eq. (4), sum of F_t S
+  double rim = 0.0;   ///< work at the wheel rims, what the motors pay
+  double slip = 0.0;  ///< lost between rim and rail to slip
+};
+
+/// Everything that changes during a run: copy it, and the run can go on from the copy.
+struct TrainState {
+  std::uint64_t step = 0;                       ///< macro steps committed; the state is that at t = step H
+  std::vector<double> s_m;                      ///< per vehicle: chainage of the CoG
+  std::vector<double> v_mps;                    ///< per vehicle
+  std::vector<double> reference_N;              ///< per locomotive: traction reference, the motor response's memory
+  std::vector<double> traction_N;               ///< per locomotive: mean traction over the last step
+  std::vector<LocoEnergy> loco_energy;          ///< per locomotive
+  std::vector<std::vector<double>> loco_state;  ///< per locomotive: s_k of its model; empty before its first step
+  Driver::State driver;
+  rail::Nanoseconds slow_since = -1;  ///< traction on and below the stall speed since then; -1: not
+  rail::EnergyAccount account;        ///< stored energies: as of the last updateStoredEnergies()
+};
+
+/// The forces of one step, all at t_k.
+struct TrainForces {
+  std::vector<Coupler::Force> coupler;    ///< per coupler, + tension
+  std::vector<double> grade_N;            ///< per vehicle, + forward
+  std::vector<double> propulsion_N;       ///< per vehicle, + forward: Eq. (5) with stiction
+  std::vector<double> curving_N;          ///< per vehicle, + forward: Eq. (6) with stiction
+  std::vector<int> notch;                 ///< per locomotive
+  std::vector<double> reference_N;        ///< per locomotive: traction reference of this step
+  std::vector<double> rim_power_limit_W;  ///< per locomotive
+  double step_use = 0.0;                  ///< share of the couplers' stability limit that this step uses, see (T6)
+  std::size_t step_use_vehicle = 0;       ///< where
+};
+
+/// Longitudinal train dynamics: every vehicle one degree of freedom, at its own place on the track.
+///   m a = F_c1 + F_c2 + F_t + F_db + F_ab + F_pr + F_cr + F_G                                       (Eq. 1)
+/// Integrated by semi-implicit Euler with the macro step H:                                          (T5)
+///   v_k+1 = v_k + H F_k / m,   s_k+1 = s_k + H v_k+1
+/// where F_t is the locomotives' mean force over the step and everything else is taken at t_k. Not modelled yet: the
+/// brakes F_db and F_ab; they join the sum in step().
+class TrainDynamics {
+ public:
+  /// Keeps references to its arguments.
+  TrainDynamics(const TrainModel& train, const rail::Track& track, const Driver& driver, rail::Nanoseconds step);
+
+  /// The train at rest in its couplers (mid-slack) with the leading locomotive's CoG at `location_m`, at `speed_mps`.
+  TrainState initialState(double location_m, double speed_mps) const;
+
+  /// All forces at t_k but the traction, which the locomotives answer. Notes the driver's notch in the state.
+  void computeForces(TrainState& state, TrainForces& forces);
+
+  /// What locomotive i is told of this step.
+  void fillLocoForce(std::size_t i, const TrainState& state, const TrainForces& forces, loco::LocoForce& out) const;
+
+  /// Advances by one step with those very forces and the locomotives' answers, and books the energy.
+  /// @return empty, or what became of which vehicle (a number that is none)
+  std::string step(TrainState& state, const TrainForces& forces, const std::vector<const loco::LocoTraction*>& answers);
+
+  /// Brings the stored energies of the account (kinetic, potential, couplers) up to the state.
+  void updateStoredEnergies(TrainState& state);
+
+  double leadingLocation(const TrainState& state) const { return state.s_m[train_.locomotives.front().vehicle]; }
+  double leadingSpeed(const TrainState& state) const { return state.v_mps[train_.locomotives.front().vehicle]; }
+  /// Vehicle whose CoG has left the track, from 0; -1 if all are on it.
+  int vehicleOffTrack(const TrainState& state) const;
+
+ private:
+  void computeCouplerForces(const TrainState& state, TrainForces& forces) const;
+  void computeTractionReferences(TrainState& state, TrainForces& forces) const;
+  void computeTrackForces(const TrainState& state, TrainForces& forces);
+  void computeStepUse(TrainForces& forces) const;
+  void bookVehicle(std::size_t i, double v_old, double v_new, const TrainForces& forces, rail::EnergyAccount& a) const;
+  void bookCouplers(const TrainState& state, const TrainForces& forces, rail::EnergyAccount& account) const;
+  double couplerElongation(std::size_t i, const TrainState& state) const {
+    return state.s_m[i] - state.s_m[i + 1] - train_.coupler_distance_m[i];
+  }
+
+  const TrainModel& train_;
+  const rail::Track& track_;
+  const Driver& driver_;
+  rail::Nanoseconds step_ns_;
+  double H_;
+  std::vector<std::size_t> track_hint_;  ///< per vehicle
+  std::vector<double> traction_;         ///< scratch, per vehicle
+  std::vector<double> v_old_;            ///< scratch, per vehicle
+};
+
+}  // namespace ltd

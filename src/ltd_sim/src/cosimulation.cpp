@@ -1,0 +1,142 @@
+#include "ltd_sim/cosimulation.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "rail_core/constants.hpp"
+#include "rail_core/digest.hpp"
+
+namespace ltd {
+
+namespace {
+
+std::string kilometres(double s_m) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f km", s_m / rail::kMetresPerKilometre);
+  return text;
+}
+
+void mixIn(std::uint64_t& digest, std::uint64_t payload) {
+  rail::Digest sum;
+  sum.add(digest);
+  sum.add(payload);
+  digest = sum.value();
+}
+
+}  // namespace
+
+Cosimulation::Cosimulation(const Scenario& scenario, std::vector<loco::LocoPort*> ports,
+                           std::vector<RunObserver*> observers)
+    : scenario_(scenario),
+      ports_(std::move(ports)),
+      observers_(std::move(observers)),
+      dynamics_(scenario.train, scenario.track, scenario.driver, scenario.macro_step),
+      state_(dynamics_.initialState(scenario.run.start_location_m, scenario.run.start_speed_mps)),
+      loco_forces_(ports_.size()),
+      answers_(ports_.size(), nullptr) {
+  assert(ports_.size() == scenario.train.locomotives.size());
+  dynamics_.updateStoredEnergies(state_);
+}
+
+void Cosimulation::start() {
+  for (RunObserver* observer : observers_) observer->onStart(state_);
+}
+
+void Cosimulation::begin() {
+  assert(!under_way_ && !outcome_.ended());
+  dynamics_.computeForces(state_, forces_);
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    dynamics_.fillLocoForce(i, state_, forces_, loco_forces_[i]);
+    ports_[i]->send(loco_forces_[i], state_.loco_state[i]);
+  }
+  under_way_ = true;
+}
+
+bool Cosimulation::gatherAnswers() {
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    answers_[i] = ports_[i]->answer();
+    if (answers_[i] == nullptr) return false;
+  }
+  return true;
+}
+
+bool Cosimulation::tryCommit() {
+  if (!under_way_ || !gatherAnswers()) return false;
+  before_ = state_;
+  std::string fault = dynamics_.step(state_, forces_, answers_);
+  if (fault.empty()) fault = checkAnswers();
+  if (!fault.empty()) {
+    state_ = before_;
+    end(Outcome::Kind::kFailed,
+        fault + " in step " + std::to_string(state_.step) + " at " + kilometres(leadingLocation()));
+    return true;
+  }
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    mixIn(outcome_.exchange_digest, loco::payloadDigest(loco_forces_[i]));
+    mixIn(outcome_.exchange_digest, loco::payloadDigest(*answers_[i]));
+  }
+  if (time() % scenario_.output.telemetry_interval == 0 || time() % scenario_.output.timeseries_interval == 0)
+    dynamics_.updateStoredEnergies(state_);
+  const StepRecord record{before_, state_, forces_, loco_forces_, answers_};
+  for (RunObserver* observer : observers_) observer->onStep(record);
+  under_way_ = false;
+  checkEnd();
+  return true;
+}
+
+std::string Cosimulation::checkAnswers() {
+  for (std::size_t i = 0; i < answers_.size(); ++i) {
+    const std::string name = "loco_" + std::to_string(i + 1);
+    if (!answers_[i]->failure.empty()) return name + ": " + answers_[i]->failure;
+    const double drift = std::abs(answers_[i]->speed_mps - state_.v_mps[scenario_.train.locomotives[i].vehicle]);
+    largest_drift_mps_ = std::max(largest_drift_mps_, drift);
+    if (!(drift <= scenario_.lock.synchronisation_tolerance_mps)) {
+      char text[160];
+      std::snprintf(text, sizeof text, "%s: its speed differs from LTD's by %.3g m/s (synchronisation_tolerance %.3g)",
+                    name.c_str(), drift, scenario_.lock.synchronisation_tolerance_mps);
+      return text;
+    }
+  }
+  return {};
+}
+
+void Cosimulation::checkEnd() {
+  const int off = dynamics_.vehicleOffTrack(state_);
+  if (off >= 0) {
+    end(Outcome::Kind::kFailed, "vehicle " + std::to_string(off + 1) + " left the track at " +
+                                    kilometres(state_.s_m[static_cast<std::size_t>(off)]));
+  } else if (leadingLocation() >= scenario_.run.end_location_m) {
+    end(Outcome::Kind::kFinished, "reached " + kilometres(scenario_.run.end_location_m));
+  } else if (time() >= scenario_.run.end_time) {
+    char text[48];
+    std::snprintf(text, sizeof text, "reached the end time %g s", rail::toSeconds(scenario_.run.end_time));
+    end(Outcome::Kind::kFinished, text);
+  } else if (stalled()) {
+    end(Outcome::Kind::kFailed, "stalled at " + kilometres(leadingLocation()) +
+                                    ": traction on, and slower than stall.speed_below_mps for stall.for_s");
+  }
+}
+
+bool Cosimulation::stalled() {
+  const bool pulling = std::any_of(forces_.notch.begin(), forces_.notch.end(), [](int n) { return n > 0; });
+  if (!pulling || std::abs(leadingSpeed()) >= scenario_.run.stall_speed_mps) {
+    state_.slow_since = -1;
+    return false;
+  }
+  if (state_.slow_since < 0) state_.slow_since = time();
+  return time() - state_.slow_since >= scenario_.run.stall_time;
+}
+
+void Cosimulation::end(Outcome::Kind kind, const std::string& reason) {
+  if (outcome_.ended()) return;
+  under_way_ = false;
+  outcome_.kind = kind;
+  outcome_.reason = reason;
+  dynamics_.updateStoredEnergies(state_);
+  for (RunObserver* observer : observers_) observer->onEnd(state_, outcome_);
+}
+
+}  // namespace ltd

@@ -1,0 +1,64 @@
+#include "ltd_sim/progress.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "rail_core/constants.hpp"
+
+namespace ltd {
+
+namespace {
+constexpr std::uint64_t kStepsBetweenLooks = 16;  // at the clock: a look costs more than it tells at every step
+}
+
+std::string toString(const Progress& p) {
+  char text[160];
+  const int n = std::snprintf(text, sizeof text, "%.3f km  %.1f s  %.1f km/h  notch %d  %.3g x real time",
+                              p.location_m / rail::kMetresPerKilometre, p.time_s, p.speed_mps * rail::kKmphPerMps,
+                              p.notch, p.real_time_factor);
+  std::string line(text, static_cast<std::size_t>(std::max(n, 0)));
+  if (p.time_left_s >= 0.0) {
+    std::snprintf(text, sizeof text, "  %.0f s left", p.time_left_s);
+    line += text;
+  }
+  return line;
+}
+
+ProgressMeter::ProgressMeter(const Scenario& scenario, double interval_s, Report report)
+    : scenario_(scenario),
+      interval_s_(interval_s),
+      report_(std::move(report)),
+      lead_(scenario.train.locomotives.front().vehicle) {}
+
+void ProgressMeter::onStart(const TrainState& state) {
+  last_report_ = Clock::now();
+  last_time_s_ = static_cast<double>(state.step) * rail::toSeconds(scenario_.macro_step);
+}
+
+void ProgressMeter::onStep(const StepRecord& record) {
+  if (record.after.step % kStepsBetweenLooks != 0) return;
+  const Clock::time_point now = Clock::now();
+  const double wall_s = std::chrono::duration<double>(now - last_report_).count();
+  if (wall_s < interval_s_) return;
+  progress_.time_s = static_cast<double>(record.after.step) * rail::toSeconds(scenario_.macro_step);
+  progress_.location_m = record.after.s_m[lead_];
+  progress_.speed_mps = record.after.v_mps[lead_];
+  progress_.notch = record.forces.notch.front();
+  progress_.real_time_factor = (progress_.time_s - last_time_s_) / wall_s;
+  const double left_s = simulatedSecondsLeft(record.after);
+  progress_.time_left_s =
+      left_s < 0.0 || progress_.real_time_factor <= 0.0 ? -1.0 : left_s / progress_.real_time_factor;
+  last_report_ = now;
+  last_time_s_ = progress_.time_s;
+  report_(progress_);
+}
+
+double ProgressMeter::simulatedSecondsLeft(const TrainState& state) const {
+  const double to_end_time_s = rail::toSeconds(scenario_.run.end_time) - progress_.time_s;
+  const double v = state.v_mps[lead_];
+  if (v <= 0.1) return -1.0;  // stands: when it will go on nobody can tell
+  return std::min(to_end_time_s, (scenario_.run.end_location_m - state.s_m[lead_]) / v);
+}
+
+}  // namespace ltd

@@ -1,0 +1,158 @@
+#include "ltd_sim/scenario.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "loco_dynamics/loco_factory.hpp"
+#include "rail_core/constants.hpp"
+
+namespace ltd {
+
+namespace {
+
+std::string format(double x) {
+  std::ostringstream text;
+  text.precision(4);
+  text << x;
+  return text.str();
+}
+
+rail::Nanoseconds readTime(rail::YamlReader& reader, const std::string& key, const rail::Range& range) {
+  const std::optional<rail::Nanoseconds> t = rail::wholeNanoseconds(reader.number(key, range));
+  if (!t) reader.refuse(key, "must be a whole number of nanoseconds");
+  return t.value_or(1);
+}
+
+RunLimits readRun(rail::YamlReader reader) {
+  RunLimits run;
+  run.start_location_m = reader.number("start_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
+  run.start_speed_mps = reader.number("start_speed_kmph", rail::between(0.0, 400.0)) / rail::kKmphPerMps;
+  run.end_location_m = reader.number("end_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
+  run.end_time = readTime(reader, "end_time_s", rail::aboveUpTo(0.0, 1e6));
+  rail::YamlReader stall = reader.map("stall");
+  run.stall_speed_mps = stall.number("speed_below_mps", rail::notNegative());
+  run.stall_time = readTime(stall, "for_s", rail::aboveUpTo(0.0, 1e5));
+  stall.finish();
+  if (reader.present() && run.end_location_m <= run.start_location_m)
+    reader.refuse("end_location_km", "must be ahead of start_location_km");
+  reader.finish();
+  return run;
+}
+
+void readSteps(rail::YamlReader reader, Scenario& scenario) {
+  scenario.macro_step = readTime(reader, "macro_step_s", rail::aboveUpTo(0.0, 1.0));
+  scenario.micro_step = readTime(reader, "micro_step_s", rail::aboveUpTo(0.0, 1.0));
+  if (reader.present() && scenario.macro_step % scenario.micro_step != 0)
+    reader.refuse("macro_step_s",
+                  "must be a whole multiple of micro_step_s = " + format(rail::toSeconds(scenario.micro_step)));
+  reader.finish();
+}
+
+LockLimits readLock(rail::YamlReader reader) {
+  LockLimits lock;
+  lock.join_deadline_s = reader.number("join_deadline_s", rail::positive());
+  lock.answer_deadline_s = reader.number("answer_deadline_s", rail::positive());
+  lock.synchronisation_tolerance_mps = reader.number("synchronisation_tolerance_mps", rail::positive());
+  reader.finish();
+  return lock;
+}
+
+std::vector<double> readLocations(rail::YamlReader& reader, const std::string& key, const RunLimits& run) {
+  std::vector<double> locations_m;
+  for (const double km : reader.numbers(key, rail::anyNumber())) {
+    const double s_m = km * rail::kMetresPerKilometre;
+    if (!locations_m.empty() && s_m <= locations_m.back()) reader.refuse(key, "must rise");
+    if (s_m < run.start_location_m || s_m > run.end_location_m)
+      reader.refuse(key, format(km) + " is not between start_location_km and end_location_km");
+    locations_m.push_back(s_m);
+  }
+  return locations_m;
+}
+
+OutputOptions readOutput(rail::YamlReader reader, const Scenario& scenario) {
+  OutputOptions output;
+  output.report_locations_m = readLocations(reader, "report_locations_km", scenario.run);
+  output.section_boundaries_m = readLocations(reader, "section_boundaries_km", scenario.run);
+  output.timeseries_interval = readTime(reader, "timeseries_interval_s", rail::positive());
+  output.telemetry_interval = readTime(reader, "telemetry_interval_s", rail::positive());
+  output.record_exchange = reader.boolean("record_exchange");
+  for (const char* key : {"timeseries_interval_s", "telemetry_interval_s"}) {
+    const rail::Nanoseconds t =
+        std::string(key) == "timeseries_interval_s" ? output.timeseries_interval : output.telemetry_interval;
+    if (t % scenario.macro_step != 0) reader.refuse(key, "must be a whole multiple of steps.macro_step_s");
+  }
+  reader.finish();
+  return output;
+}
+
+Driver readDriver(rail::YamlReader reader, const TrainModel& train) {
+  std::vector<int> largest(train.notch_groups.size(), 1 << 20);
+  for (const LocoUnit& unit : train.locomotives)
+    largest[unit.notch_group] = std::min(largest[unit.notch_group], train.traction[unit.type].notches());
+  return Driver::read(reader, train.notch_groups, largest);
+}
+
+/// The train must stand on the track at the start, and the end must be on it.
+void checkPlaces(rail::YamlReader& root, const Scenario& scenario) {
+  if (scenario.train.locomotives.empty()) return;
+  double front_m = scenario.run.start_location_m, rear_m = scenario.run.start_location_m;
+  const std::size_t lead = scenario.train.locomotives.front().vehicle;
+  for (std::size_t i = 0; i < lead; ++i) front_m += scenario.train.coupler_distance_m[i];
+  for (std::size_t i = lead; i < scenario.train.coupler_distance_m.size(); ++i)
+    rear_m -= scenario.train.coupler_distance_m[i];
+  rail::YamlReader run = root.map("run");
+  const std::string track = " (track " + format(scenario.track.start_m() / rail::kMetresPerKilometre) + " to " +
+                            format(scenario.track.end_m() / rail::kMetresPerKilometre) + " km)";
+  if (rear_m < scenario.track.start_m() || front_m > scenario.track.end_m())
+    run.refuse("start_location_km", "the train would stand from " + format(rear_m / rail::kMetresPerKilometre) +
+                                        " to " + format(front_m / rail::kMetresPerKilometre) + " km, beyond the track" +
+                                        track);
+  if (scenario.run.end_location_m > scenario.track.end_m())
+    run.refuse("end_location_km", "is beyond the track" + track);
+}
+
+/// The couplers' friction and stiffness bound the macro step; see computeStepBound.
+void checkStep(rail::YamlReader& root, const Scenario& scenario) {
+  if (scenario.train.locomotives.empty()) return;
+  const double force_N = computeDesignCouplerForce(scenario.train);
+  const StepBound bound = computeStepBound(scenario.train, force_N);
+  if (rail::toSeconds(scenario.macro_step) < bound.largest_step_s) return;
+  const rail::Vehicle& vehicle = scenario.train.vehicles[bound.vehicle];
+  root.map("steps").refuse("macro_step_s",
+                           "must be below " + format(bound.largest_step_s) + " for this train: vehicle " +
+                               std::to_string(bound.vehicle + 1) + " (" + vehicle.name + ", " +
+                               format(vehicle.mass_kg / rail::kKilogramsPerTonne) + " t) with a coupler force of " +
+                               format(force_N / 1e6) + " MN, the sum of the locomotives' largest tractions");
+}
+
+}  // namespace
+
+Scenario Scenario::load(const std::string& path, const std::vector<rail::Override>& overrides) {
+  rail::Problems problems;
+  Scenario scenario;
+  scenario.file = path;
+  scenario.document = rail::Document::load(path, overrides, problems);
+  problems.throwIfAny();
+
+  rail::YamlReader root(scenario.document, problems);
+  scenario.name = root.text("name");
+  root.text("description");
+  scenario.locomotive_model = root.choice("locomotive_model", loco::knownModels());
+  scenario.rotary_inertia = root.boolean("rotary_inertia");
+  readSteps(root.map("steps"), scenario);
+  scenario.run = readRun(root.map("run"));
+  scenario.lock = readLock(root.map("lock"));
+  scenario.train = TrainModel::read(root.map("train"), scenario.rotary_inertia);
+  scenario.track = rail::Track::read(root.map("track"));
+  scenario.driver = readDriver(root.map("driver"), scenario.train);
+  scenario.output = readOutput(root.map("output"), scenario);
+  root.finish();
+  if (problems.empty()) {
+    checkPlaces(root, scenario);
+    checkStep(root, scenario);
+  }
+  problems.throwIfAny();
+  return scenario;
+}
+
+}  // namespace ltd

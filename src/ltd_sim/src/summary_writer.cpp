@@ -1,0 +1,90 @@
+#include "ltd_sim/summary_writer.hpp"
+
+#include <algorithm>
+
+#include "rail_core/constants.hpp"
+
+namespace ltd {
+
+SummaryWriter::SummaryWriter(const Scenario& scenario, const std::string& path)
+    : scenario_(scenario),
+      file_(path, {"model", "vehicle", "quantity", "unit", "location_km", "value"}),
+      lead_(scenario.train.locomotives.front().vehicle) {}
+
+void SummaryWriter::onStart(const TrainState& state) {
+  started_ = std::chrono::steady_clock::now();
+  const std::vector<double>& locations_m = scenario_.output.report_locations_m;
+  while (next_location_ < locations_m.size() && locations_m[next_location_] <= state.s_m[lead_])
+    reportLocos(locations_m[next_location_++], 1.0, state, state);
+}
+
+void SummaryWriter::onStep(const StepRecord& record) {
+  noteStepUse(record.forces);
+  const std::vector<double>& locations_m = scenario_.output.report_locations_m;
+  const double s0 = record.before.s_m[lead_];
+  const double s1 = record.after.s_m[lead_];
+  while (next_location_ < locations_m.size() && locations_m[next_location_] <= s1) {
+    const double location_m = locations_m[next_location_++];
+    reportLocos(location_m, (location_m - s0) / (s1 - s0), record.before, record.after);
+  }
+}
+
+void SummaryWriter::noteStepUse(const TrainForces& forces) {
+  largest_step_use_ = std::max(largest_step_use_, forces.step_use);
+  for (const Coupler::Force& coupler : forces.coupler) {
+    largest_draft_N_ = std::max(largest_draft_N_, coupler.force_N);
+    largest_buff_N_ = std::max(largest_buff_N_, -coupler.force_N);
+  }
+}
+
+void SummaryWriter::reportLocos(double location_m, double w, const TrainState& before, const TrainState& after) {
+  const auto between = [w](double a, double b) { return a + w * (b - a); };
+  const double H = rail::toSeconds(scenario_.macro_step);
+  const double time_s = between(static_cast<double>(before.step), static_cast<double>(after.step)) * H;
+  const std::string location_km = allDigits(location_m / rail::kMetresPerKilometre);
+  for (std::size_t i = 0; i < scenario_.train.locomotives.size(); ++i) {
+    const std::size_t v = scenario_.train.locomotives[i].vehicle;
+    const auto row = [&](const char* quantity, const char* unit, double value) {
+      file_.row({scenario_.locomotive_model, std::to_string(v + 1), quantity, unit, location_km, allDigits(value)});
+    };
+    row("traction_force", "N", between(before.traction_N[i], after.traction_N[i]));
+    row("speed", "m/s", between(before.v_mps[v], after.v_mps[v]));
+    row("time", "s", time_s);
+    row("energy_rail", "J", between(before.loco_energy[i].rail, after.loco_energy[i].rail));
+    row("energy_rim", "J", between(before.loco_energy[i].rim, after.loco_energy[i].rim));
+    row("energy_slip", "J", between(before.loco_energy[i].slip, after.loco_energy[i].slip));
+  }
+}
+
+void SummaryWriter::runRow(const std::string& quantity, const std::string& unit, double value) {
+  file_.row({scenario_.locomotive_model, "", quantity, unit, "", allDigits(value)});
+}
+
+void SummaryWriter::onEnd(const TrainState& state, const Outcome&) {
+  const rail::EnergyAccount& a = state.account;
+  runRow("account_traction_rail", "J", a.traction_rail);
+  runRow("account_traction_rim", "J", a.traction_rim);
+  runRow("account_slip_loss", "J", a.slip_loss);
+  runRow("account_propulsion_resistance", "J", a.propulsion_resistance);
+  runRow("account_curving_resistance", "J", a.curving_resistance);
+  runRow("account_grade", "J", a.grade);
+  runRow("account_coupler_loss", "J", a.coupler_loss);
+  runRow("account_coupler_stored", "J", a.coupler_stored - a.coupler_stored_start);
+  runRow("account_kinetic", "J", a.kinetic - a.kinetic_start);
+  runRow("account_potential", "J", a.potential - a.potential_start);
+  runRow("account_residual", "J", a.residual());
+  runRow("energy_residual_relative", "1", a.residualRelative());
+  runRow("final_time", "s", static_cast<double>(state.step) * rail::toSeconds(scenario_.macro_step));
+  runRow("final_speed", "m/s", state.v_mps[lead_]);
+  runRow("final_location", "m", state.s_m[lead_]);
+  runRow("largest_draft", "N", largest_draft_N_);
+  runRow("largest_buff", "N", largest_buff_N_);
+  runRow("largest_step_use", "1", largest_step_use_);
+  runRow("rotary_inertia", "1", scenario_.rotary_inertia ? 1.0 : 0.0);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started_;
+  const double simulated_s = static_cast<double>(state.step) * rail::toSeconds(scenario_.macro_step);
+  runRow("real_time_factor", "1", wall.count() > 0.0 ? simulated_s / wall.count() : 0.0);
+  file_.flush();
+}
+
+}  // namespace ltd

@@ -1,0 +1,107 @@
+#include "ltd_sim/traction_characteristic.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "rail_core/constants.hpp"
+#include "rail_core/csv_table.hpp"
+
+namespace ltd {
+
+namespace {
+
+/// Rules of a traction table that a CSV reader cannot know; messages name the line.
+void checkTable(const rail::CsvTable& table, const std::string& file, rail::Problems& problems) {
+  const auto refuse = [&](std::size_t row, std::size_t column, const std::string& rule) {
+    problems.add(file, "line " + std::to_string(table.line_of_row[row]) + ": " + table.columns[column],
+                 std::to_string(table.rows[row][column]), rule);
+  };
+  if (table.rows.size() < 2) problems.add(file, "speed_kmph", "must have at least two rows");
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (i == 0 && table.rows[i][0] != 0.0) refuse(i, 0, "must start at 0 km/h");
+    if (i > 0 && table.rows[i][0] <= table.rows[i - 1][0]) refuse(i, 0, "must rise from row to row");
+    for (std::size_t j = 1; j < table.columns.size(); ++j) {
+      if (table.rows[i][j] < 0.0) refuse(i, j, "must be a force >= 0");
+      if (i > 0 && table.rows[i][j] > table.rows[i - 1][j]) refuse(i, j, "must not rise with speed");
+      if (j > 1 && table.rows[i][j] < table.rows[i][j - 1]) refuse(i, j, "must not fall with the notch");
+    }
+  }
+  for (std::size_t j = 1; j < table.columns.size(); ++j) {
+    const std::string expected = "notch_" + std::to_string(j) + "_N";
+    if (table.columns[j] != expected) problems.add(file, "line 1: " + table.columns[j], "must be column " + expected);
+  }
+}
+
+}  // namespace
+
+TractionCharacteristic TractionCharacteristic::read(rail::YamlReader reader) {
+  TractionCharacteristic c;
+  const bool table = reader.choice("law", {"limits", "table"}) == "table";
+  c.law_ = table ? Law::kTable : Law::kLimits;
+  if (table) {
+    c.readTable(reader);
+  } else {
+    c.notches_ = reader.integer("notches", 1, 100);
+    c.largest_force_N_ = reader.number("largest_force_N", rail::positive());
+    c.force_slope_N_s_per_m_ = reader.number("force_slope_N_s_per_m", rail::notNegative());
+    c.power_at_rail_W_ = reader.number("power_at_rail_W", rail::positive());
+  }
+  c.rise_N_per_s_ = reader.number("rise_N_per_s", rail::positive());
+  c.fall_N_per_s_ = reader.number("fall_N_per_s", rail::positive());
+  reader.finish();
+  return c;
+}
+
+void TractionCharacteristic::readTable(rail::YamlReader& reader) {
+  const std::string text = reader.text("table");
+  if (text.empty()) return;
+  const std::string file = reader.file("table");
+  const std::size_t problems_before = reader.problems().lines().size();
+  const rail::CsvTable csv = rail::readOpenCsv(text, file, "speed_kmph", reader.problems());
+  if (reader.problems().lines().size() == problems_before) checkTable(csv, file, reader.problems());
+  if (reader.problems().lines().size() != problems_before) return;
+  notches_ = static_cast<int>(csv.columns.size()) - 1;
+  for (std::size_t j = 1; j < csv.columns.size(); ++j) {
+    std::vector<double> speed_mps, force_N;
+    double power_W = 0.0;
+    for (const std::vector<double>& row : csv.rows) {
+      speed_mps.push_back(row[0] / rail::kKmphPerMps);
+      force_N.push_back(row[j]);
+      power_W = std::max(power_W, row[j] * speed_mps.back());
+    }
+    force_of_notch_.emplace_back(speed_mps, force_N);
+    power_of_notch_W_.push_back(power_W);
+  }
+}
+
+double TractionCharacteristic::computeForce(int notch, double v_mps) const {
+  if (notch <= 0) return 0.0;
+  const double v = std::max(v_mps, 0.0);
+  if (law_ == Law::kTable) {
+    const rail::LookupTable& force = force_of_notch_[static_cast<std::size_t>(notch) - 1];
+    const double v_last = force.x().back();
+    return v <= v_last ? force(v) : force.y().back() * v_last / v;
+  }
+  const double share = static_cast<double>(notch) / notches_;
+  const double by_force = share * std::max(largest_force_N_ - force_slope_N_s_per_m_ * v, 0.0);
+  const double power_W = computeRimPowerLimit(notch);
+  return by_force * v <= power_W ? by_force : power_W / v;  // (T3)
+}
+
+double TractionCharacteristic::computeRimPowerLimit(int notch) const {
+  if (notch <= 0) return 0.0;
+  if (law_ == Law::kTable) return power_of_notch_W_[static_cast<std::size_t>(notch) - 1];
+  const double share = static_cast<double>(notch) / notches_;
+  return share * share * power_at_rail_W_;
+}
+
+double TractionCharacteristic::computeResponse(double last_N, double target_N, double step_s) const {
+  return std::clamp(target_N, last_N - fall_N_per_s_ * step_s, last_N + rise_N_per_s_ * step_s);  // (T4)
+}
+
+double TractionCharacteristic::largestForce() const {
+  if (law_ == Law::kLimits) return largest_force_N_;
+  return force_of_notch_.empty() ? 0.0 : force_of_notch_.back().y().front();
+}
+
+}  // namespace ltd

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rail_core/yaml_reader.hpp"
+
+namespace rail {
+
+struct TrackProfile;
+
+/// What the track is at one place. Signs: grade > 0 uphill in running direction, curvature > 0 to the left, cant > 0
+/// outer rail up (so it is never negative).
+struct TrackPoint {
+  double grade = 0.0;            ///< dz/ds [-], rise per distance along the track
+  double curvature_1pm = 0.0;    ///< 1/R [1/m]
+  double cant_m = 0.0;           ///< height of the outer rail over the inner [m]
+  double speed_limit_mps = 0.0;  ///< [m/s]
+  double height_m = 0.0;         ///< integral of the grade from the track's start [m]
+};
+
+/// The line in plan and profile, by chainage s [m] in running direction. Constant after reading.
+///
+/// Between its break points grade, curvature and cant are linear in s (so a linear ramp of curvature is a clothoid),
+/// the speed limit is constant; all may jump at a break point, the value at the point itself is that of the piece
+/// ahead.
+///
+/// YAML, either as lists:
+///   name: ..., start_km: 0, end_km: 10
+///   grades: [{from_km: 0, grade_permille: 0}, ...]        # each holds until the next; the first from start_km
+///   curves: [{start_km: 3.3, radius_m: 300, direction: left, transition_in_m: 50, circular_m: 200,
+///             transition_out_m: 50, cant_mm: 0}]          # in order, not overlapping, inside the track
+///   speed_limits: [{from_km: 0, limit_kmph: 80}, ...]
+/// or as a table (`table_file: line.csv` with columns chainage_km, grade_permille, radius_m, cant_mm, speed_limit_kmph;
+/// radius signed, left +, 0 = straight):
+///   name: ..., table_file: line.csv
+///   between_rows: {grade: constant|linear, curvature: constant|linear}   # cant goes with curvature
+/// where `constant` holds a row's value until the next row and `linear` joins the rows; the speed limit always holds.
+/// The track reaches from the first row to the last. Two rows at one chainage make a jump; a chainage that goes back is
+/// refused. Also refused: |radius| < 50 m, |grade| > 100 permille, cant outside 0..300 mm, a limit <= 0, curves that
+/// overlap or reach beyond the track.
+class Track {
+ public:
+  /// Reads the map and reports everything wrong in it; the result may only be used if no problem was added.
+  static Track read(YamlReader reader);
+
+  /// The track at s [m]. `hint` is the caller's memory of the piece found last (start with 0; one per vehicle), which
+  /// makes the search O(1) for a moving vehicle. Outside the track the end values hold, with height going on at the
+  /// end's grade. Does not allocate.
+  TrackPoint at(double s_m, std::size_t& hint) const;
+
+  /// The same without a memory, by binary search: for plots and tests.
+  TrackPoint at(double s_m) const;
+
+  const std::string& name() const { return name_; }
+  double start_m() const { return start_m_; }
+  double end_m() const { return end_m_; }
+  double largestGrade() const;
+  double smallestGrade() const;
+
+ private:
+  /// From its s on, to that of the next piece. The last piece starts at the track's end and has no end.
+  struct Piece {
+    double s_m;
+    double grade, grade_slope_1pm;
+    double curvature_1pm, curvature_slope_1pm2;
+    double cant_m, cant_slope;
+    double speed_limit_mps;
+    double height_m;
+  };
+  void build(const TrackProfile& profile);
+  std::size_t findPiece(double s_m, std::size_t hint) const;
+  std::pair<double, double> gradeExtremes() const;
+
+  std::string name_;
+  double start_m_ = 0.0, end_m_ = 0.0;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace rail

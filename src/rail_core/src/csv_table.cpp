@@ -1,0 +1,195 @@
+#include "rail_core/csv_table.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "number_text.hpp"
+
+namespace rail {
+namespace {
+
+/// A line of the text that is neither blank nor a comment.
+struct Line {
+  int number;  ///< 1-based
+  std::vector<std::string> cells;
+};
+
+std::string trimmed(const std::string& text) {
+  const char* const blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// Cells of one line. A comma within double quotes does not separate; the quotes are not part of the cell.
+std::vector<std::string> splitCells(const std::string& line) {
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
+  }
+  for (std::string& cell : cells) cell = trimmed(cell);
+  return cells;
+}
+
+std::vector<Line> splitLines(const std::string& text) {
+  const std::string byte_order_mark = "\xEF\xBB\xBF";  // what spreadsheets write first: no content
+  std::size_t begin = text.compare(0, byte_order_mark.size(), byte_order_mark) == 0 ? byte_order_mark.size() : 0;
+  std::vector<Line> lines;
+  for (int number = 1; begin < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = trimmed(text.substr(begin, end - begin));
+    if (!line.empty() && line.front() != '#') lines.push_back({number, splitCells(line)});
+    begin = end + 1;
+  }
+  return lines;
+}
+
+std::string lineKey(int number) { return "line " + std::to_string(number); }
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Rules that hold for every header. False if its columns cannot be told apart.
+bool checkHeader(const Line& header, const std::string& file, Problems& problems) {
+  const std::string key = lineKey(header.number);
+  const std::vector<std::string>& names = header.cells;
+  if (names.front().find(';') != std::string::npos) {
+    problems.add(file, key, "columns must be separated by ',', not by ';'");
+    return false;
+  }
+  bool good = true;
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    const bool repeated = std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(j), names[j]) !=
+                          names.begin() + static_cast<std::ptrdiff_t>(j);
+    if (names[j].empty()) {
+      problems.add(file, key, "column " + std::to_string(j + 1) + " has no name");
+    } else if (repeated) {
+      problems.add(file, key, "column '" + names[j] + "' is given twice");
+    }
+    good = good && !names[j].empty() && !repeated;
+  }
+  return good;
+}
+
+/// Unknown and missing columns. False if there are any.
+bool checkColumns(const Line& header, const std::string& file, const std::vector<std::string>& columns,
+                  Problems& problems) {
+  const std::string key = lineKey(header.number);
+  bool good = true;
+  for (const std::string& name : header.cells) {
+    if (contains(columns, name)) continue;
+    const std::string near = nearestWord(name, columns);
+    problems.add(file, key, "unknown column '" + name + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?"));
+    good = false;
+  }
+  for (const std::string& name : columns) {
+    if (contains(header.cells, name)) continue;
+    problems.add(file, key, "column '" + name + "' is missing");
+    good = false;
+  }
+  return good;
+}
+
+std::optional<double> readCell(const std::string& cell, const std::string& file, const std::string& key,
+                               Problems& problems) {
+  const std::optional<double> number = parseNumber(cell);
+  if (number) return number;
+  if (cell.empty()) {
+    problems.add(file, key, "is empty: must be a number");
+  } else if (isDecimal(cell)) {
+    problems.add(file, key, cell, "is beyond the range of a double");
+  } else {
+    const bool comma = cell.find(',') != std::string::npos;
+    problems.add(file, key, cell, comma ? "must be a number, with a decimal point" : "must be a number");
+  }
+  return std::nullopt;
+}
+
+/// One row, its cells in the file's order; nothing if anything is wrong with it.
+std::optional<std::vector<double>> readRow(const Line& line, const std::vector<std::string>& names,
+                                           const std::string& file, Problems& problems) {
+  if (line.cells.size() != names.size()) {
+    const char* const hint = line.cells.size() > names.size() ? " (a decimal comma?)" : "";
+    problems.add(
+        file, lineKey(line.number),
+        "has " + std::to_string(line.cells.size()) + " cells, the header names " + std::to_string(names.size()) + hint);
+    return std::nullopt;
+  }
+  std::vector<double> row;
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    const std::optional<double> cell = readCell(line.cells[j], file, lineKey(line.number) + ": " + names[j], problems);
+    if (cell) row.push_back(*cell);
+  }
+  if (row.size() != names.size()) return std::nullopt;
+  return row;
+}
+
+/// The rows below the header, with the columns in the order of `columns`.
+CsvTable readRows(const std::vector<Line>& lines, const std::string& file, const std::vector<std::string>& columns,
+                  Problems& problems) {
+  CsvTable table;
+  table.columns = columns;
+  const std::vector<std::string>& names = lines.front().cells;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::optional<std::vector<double>> cells = readRow(lines[i], names, file, problems);
+    if (!cells) continue;
+    std::vector<double> row;
+    for (const std::string& column : columns) {
+      const auto at = std::find(names.begin(), names.end(), column) - names.begin();
+      row.push_back((*cells)[static_cast<std::size_t>(at)]);
+    }
+    table.rows.push_back(std::move(row));
+    table.line_of_row.push_back(lines[i].number);
+  }
+  if (lines.size() < 2) problems.add(file, "", "has no rows");
+  return table;
+}
+
+}  // namespace
+
+int CsvTable::column(const std::string& name) const {
+  const auto at = std::find(columns.begin(), columns.end(), name);
+  return at == columns.end() ? -1 : static_cast<int>(at - columns.begin());
+}
+
+CsvTable readCsv(const std::string& text, const std::string& file, const std::vector<std::string>& columns,
+                 Problems& problems) {
+  const std::vector<Line> lines = splitLines(text);
+  CsvTable empty;
+  empty.columns = columns;
+  if (lines.empty()) {
+    problems.add(file, "", "is empty");
+    return empty;
+  }
+  if (!checkHeader(lines.front(), file, problems)) return empty;
+  if (!checkColumns(lines.front(), file, columns, problems)) return empty;
+  return readRows(lines, file, columns, problems);
+}
+
+CsvTable readOpenCsv(const std::string& text, const std::string& file, const std::string& first, Problems& problems) {
+  const std::vector<Line> lines = splitLines(text);
+  if (lines.empty()) {
+    problems.add(file, "", "is empty");
+    return {};
+  }
+  const Line& header = lines.front();
+  if (!checkHeader(header, file, problems)) return {};
+  if (header.cells.front() != first) {
+    problems.add(file, lineKey(header.number),
+                 "the first column must be '" + first + "', not '" + header.cells.front() + "'");
+    return {};
+  }
+  return readRows(lines, file, header.cells, problems);
+}
+
+}  // namespace rail

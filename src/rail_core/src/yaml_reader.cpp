@@ -1,0 +1,338 @@
+#include "rail_core/yaml_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "number_text.hpp"
+#include "yaml_source.hpp"
+
+namespace rail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::string joinWords(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+bool isWithin(double number, const Range& range) {
+  const bool above_low = range.low_included ? number >= range.low : number > range.low;
+  const bool below_high = range.high_included ? number <= range.high : number < range.high;
+  return above_low && below_high;
+}
+
+/// The rule in words: "must be a number > 0 and <= 1".
+std::string wordsFor(const Range& range) {
+  std::string words = "must be a number";
+  if (range.low > -kInfinity) words += (range.low_included ? " >= " : " > ") + formatNumber(range.low);
+  if (range.low > -kInfinity && range.high < kInfinity) words += " and";
+  if (range.high < kInfinity) words += (range.high_included ? " <= " : " < ") + formatNumber(range.high);
+  return words;
+}
+
+std::string wordsForInteger(int low, int high) {
+  std::string words = "must be an integer";
+  if (low > std::numeric_limits<int>::min()) words += " >= " + std::to_string(low);
+  if (low > std::numeric_limits<int>::min() && high < std::numeric_limits<int>::max()) words += " and";
+  if (high < std::numeric_limits<int>::max()) words += " <= " + std::to_string(high);
+  return words;
+}
+
+/// Some number that keeps the rule, to go on reading with.
+double harmlessValue(const Range& range) {
+  if (range.low > -kInfinity && range.low_included) return range.low;
+  if (range.high < kInfinity && range.high_included) return range.high;
+  if (range.low > -kInfinity && range.high < kInfinity) return range.low + 0.5 * (range.high - range.low);
+  if (range.low > -kInfinity) return range.low + 1.0;
+  return range.high < kInfinity ? range.high - 1.0 : 0.0;
+}
+
+bool isQuoted(const YAML::Node& node) { return node.Tag() == kQuotedTag; }
+
+bool isPlainScalar(const YAML::Node& node) { return node.IsScalar() && !isQuoted(node); }
+
+/// A value as messages show it.
+std::string shown(const YAML::Node& node) {
+  if (node.IsMap()) return "{...}";
+  if (node.IsSequence()) return "[...]";
+  return isQuoted(node) ? "\"" + node.Scalar() + "\"" : node.Scalar();
+}
+
+const char kMapRule[] = "must be a map";
+const char kListRule[] = "must be a list";
+const char kBooleanRule[] = "must be true or false";
+const char kTextRule[] = "must be text, and not empty";
+
+std::string choiceRule(const std::vector<std::string>& allowed) { return "must be one of: " + joinWords(allowed); }
+
+}  // namespace
+
+Range anyNumber() { return {}; }
+Range positive() { return {0.0, kInfinity, false, true}; }
+Range notNegative() { return {0.0, kInfinity, true, true}; }
+Range between(double low, double high) { return {low, high, true, true}; }
+Range above(double low) { return {low, kInfinity, false, true}; }
+Range aboveUpTo(double low, double high) { return {low, high, false, true}; }
+
+YamlReader::YamlReader(const Document& document, Problems& problems)
+    : YamlReader(document, problems, document.root(), "", document.root().IsMap() && !document.unreadable("")) {}
+
+YamlReader::YamlReader(const Document& document, Problems& problems, YAML::Node node, std::string path, bool present)
+    : document_(&document), problems_(&problems), node_(std::move(node)), path_(std::move(path)), present_(present) {}
+
+YamlReader& YamlReader::operator=(const YamlReader& other) {
+  document_ = other.document_;
+  problems_ = other.problems_;
+  node_.reset(other.node_);
+  path_ = other.path_;
+  present_ = other.present_;
+  asked_ = other.asked_;
+  known_ = other.known_;
+  faulty_ = other.faulty_;
+  return *this;
+}
+
+double YamlReader::number(const std::string& key, const Range& range) {
+  return readNumber(ask(key, wordsFor(range)), key, range);
+}
+
+double YamlReader::numberOr(const std::string& key, const Range& range, double fallback) {
+  return isGiven(key) ? number(key, range) : fallback;
+}
+
+int YamlReader::integer(const std::string& key, int low, int high) {
+  return readInteger(ask(key, wordsForInteger(low, high)), key, low, high);
+}
+
+int YamlReader::integerOr(const std::string& key, int low, int high, int fallback) {
+  return isGiven(key) ? integer(key, low, high) : fallback;
+}
+
+bool YamlReader::boolean(const std::string& key) { return readBoolean(ask(key, kBooleanRule), key); }
+
+bool YamlReader::booleanOr(const std::string& key, bool fallback) { return isGiven(key) ? boolean(key) : fallback; }
+
+std::string YamlReader::text(const std::string& key) { return readText(ask(key, kTextRule), key); }
+
+std::string YamlReader::textOr(const std::string& key, const std::string& fallback) {
+  return isGiven(key) ? text(key) : fallback;
+}
+
+std::string YamlReader::choice(const std::string& key, const std::vector<std::string>& allowed) {
+  return readChoice(ask(key, choiceRule(allowed)), key, allowed);
+}
+
+std::string YamlReader::choiceOr(const std::string& key, const std::vector<std::string>& allowed,
+                                 const std::string& fallback) {
+  return isGiven(key) ? choice(key, allowed) : fallback;
+}
+
+std::vector<double> YamlReader::numbers(const std::string& key, const Range& range) {
+  const YAML::Node list = ask(key, std::string(kListRule) + " of numbers");
+  std::vector<double> values;
+  if (!list.IsDefined()) return values;
+  if (!list.IsSequence()) {
+    reject(key, std::string(kListRule) + " of numbers");
+    return values;
+  }
+  for (const auto& entry : list) values.push_back(readNumber(entry, joinPath(key, values.size()), range));
+  return values;
+}
+
+std::vector<std::vector<double>> YamlReader::rows(const std::string& key, std::size_t width) {
+  const std::string rule = std::string(kListRule) + " of lists of " + std::to_string(width) + " numbers";
+  const YAML::Node list = ask(key, rule);
+  std::vector<std::vector<double>> rows;
+  if (!list.IsDefined()) return rows;
+  if (!list.IsSequence()) {
+    reject(key, rule);
+    return rows;
+  }
+  std::size_t index = 0;
+  for (const auto& entry : list) {
+    const std::string row_key = joinPath(key, index++);
+    if (!entry.IsSequence() || entry.size() != width) {
+      reject(row_key, "must be a list of " + std::to_string(width) + " numbers");
+      continue;
+    }
+    std::vector<double> row;
+    for (const auto& cell : entry) row.push_back(readNumber(cell, joinPath(row_key, row.size()), anyNumber()));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+bool YamlReader::has(const std::string& key) const {
+  known_.push_back(key);
+  return present_ && find(key).IsDefined();
+}
+
+YamlReader YamlReader::map(const std::string& key) { return readMap(ask(key, kMapRule), key); }
+
+std::vector<YamlReader> YamlReader::maps(const std::string& key) {
+  const YAML::Node list = ask(key, std::string(kListRule) + " of maps");
+  std::vector<YamlReader> readers;
+  if (!list.IsDefined()) return readers;
+  if (!list.IsSequence()) {
+    reject(key, std::string(kListRule) + " of maps");
+    return readers;
+  }
+  for (const auto& entry : list) readers.push_back(readMap(entry, joinPath(key, readers.size())));
+  return readers;
+}
+
+std::vector<std::string> YamlReader::keys() const {
+  std::vector<std::string> names;
+  if (!present_) return names;
+  for (const auto& pair : node_) names.push_back(pair.first.Scalar());
+  return names;
+}
+
+void YamlReader::refuse(const std::string& key, const std::string& rule) {
+  if (present_ && !contains(faulty_, key)) reject(key, rule);
+}
+
+std::string YamlReader::file(const std::string& key) const {
+  return document_->place(key.empty() ? path_ : joinPath(path_, key)).file;
+}
+
+void YamlReader::finish() {
+  std::vector<std::string> known = asked_;
+  for (const std::string& key : known_) {
+    if (!contains(known, key)) known.push_back(key);
+  }
+  for (const std::string& key : keys()) {
+    if (contains(asked_, key)) continue;
+    if (contains(known_, key)) {
+      reject(key, "is not used here");
+      continue;
+    }
+    const std::string near = nearestWord(key, known);
+    const std::string list = known.empty() ? "none is known here" : "known here: " + joinWords(known);
+    reject(key, "unknown key, " + (near.empty() ? list : "did you mean '" + near + "'?"));
+  }
+}
+
+/// The node at a dotted path below this map; undefined if there is none. Works on const nodes throughout: the other
+/// operator[] of yaml-cpp would add the key.
+YAML::Node YamlReader::find(const std::string& path) const {
+  const YAML::Node undefined(YAML::NodeType::Undefined);
+  YAML::Node node = node_;
+  for (std::size_t begin = 0; begin < path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string component = path.substr(begin, end - begin);
+    const YAML::Node parent = node;
+    const std::optional<std::int64_t> index = parseInteger(component);
+    const bool in_list = parent.IsSequence() && index && *index >= 0;
+    if (!parent.IsMap() && !in_list) return undefined;
+    const YAML::Node child = in_list ? parent[static_cast<std::size_t>(*index)] : parent[component];
+    if (!child.IsDefined()) return undefined;
+    node.reset(child);
+    begin = end + 1;
+  }
+  return node;
+}
+
+/// Marks a key as asked for. Undefined, with the problem added, if it is missing; `words` says what it should be.
+YAML::Node YamlReader::ask(const std::string& key, const std::string& words) {
+  asked_.push_back(key);
+  const YAML::Node undefined(YAML::NodeType::Undefined);
+  if (!present_) return undefined;
+  if (document_->unreadable(joinPath(path_, key))) {
+    faulty_.push_back(key);
+    return undefined;
+  }
+  YAML::Node node = find(key);
+  if (!node.IsDefined()) reject(key, "is missing: " + words);
+  return node;
+}
+
+/// Adds a problem with a key of this map, and the key's value if there is one to show.
+void YamlReader::reject(const std::string& key, const std::string& rule) {
+  faulty_.push_back(key);
+  const Document::Place place = document_->place(key.empty() ? path_ : joinPath(path_, key));
+  const YAML::Node node = find(key);
+  if (!node.IsDefined() || key.empty()) {
+    problems_->add(place.file, place.key, rule);
+  } else if (node.IsNull()) {
+    problems_->add(place.file, place.key, "is empty: " + rule);
+  } else {
+    problems_->add(place.file, place.key, shown(node), rule);
+  }
+}
+
+double YamlReader::readNumber(const YAML::Node& node, const std::string& key, const Range& range) {
+  if (!node.IsDefined()) return harmlessValue(range);
+  const std::optional<double> value = isPlainScalar(node) ? parseNumber(node.Scalar()) : std::nullopt;
+  if (value && isWithin(*value, range)) return *value;
+  if (node.IsScalar() && isQuoted(node)) {
+    reject(key, wordsFor(range) + ", not text");
+  } else if (!value && isPlainScalar(node) && isDecimal(node.Scalar())) {
+    reject(key, "is beyond the range of a double");
+  } else {
+    reject(key, wordsFor(range));
+  }
+  return harmlessValue(range);
+}
+
+int YamlReader::readInteger(const YAML::Node& node, const std::string& key, int low, int high) {
+  if (!node.IsDefined()) return low;
+  const std::optional<std::int64_t> value = isPlainScalar(node) ? parseInteger(node.Scalar()) : std::nullopt;
+  if (value && *value >= low && *value <= high) return static_cast<int>(*value);
+  const std::string words = wordsForInteger(low, high);
+  if (node.IsScalar() && isQuoted(node)) {
+    reject(key, words + ", not text");
+  } else if (!value && isPlainScalar(node) && isDecimal(node.Scalar()) && !parseInteger(node.Scalar())) {
+    reject(key, words + ", written without point and exponent");
+  } else if (value && *value > high && high == std::numeric_limits<int>::max()) {
+    reject(key, words + " and <= " + std::to_string(high));
+  } else {
+    reject(key, words);
+  }
+  return low;
+}
+
+bool YamlReader::readBoolean(const YAML::Node& node, const std::string& key) {
+  if (!node.IsDefined()) return false;
+  const bool plain = isPlainScalar(node);
+  if (plain && node.Scalar() == "true") return true;
+  if (!plain || node.Scalar() != "false") reject(key, kBooleanRule);
+  return false;
+}
+
+std::string YamlReader::readText(const YAML::Node& node, const std::string& key) {
+  if (!node.IsDefined()) return "";
+  if (node.IsScalar() && !node.Scalar().empty()) return node.Scalar();
+  reject(key, kTextRule);
+  return "";
+}
+
+std::string YamlReader::readChoice(const YAML::Node& node, const std::string& key,
+                                   const std::vector<std::string>& allowed) {
+  if (!node.IsDefined()) return allowed.front();
+  if (node.IsScalar() && contains(allowed, node.Scalar())) return node.Scalar();
+  reject(key, choiceRule(allowed));
+  return allowed.front();
+}
+
+YamlReader YamlReader::readMap(const YAML::Node& node, const std::string& key) {
+  const bool present = node.IsDefined() && node.IsMap();
+  const std::string path = joinPath(path_, key);
+  if (node.IsDefined() && !present && !document_->unreadable(path)) reject(key, kMapRule);
+  return YamlReader(*document_, *problems_, present ? node : YAML::Node(YAML::NodeType::Map), path, present);
+}
+
+/// True if an optional key stands in the map; marks it as asked for either way.
+bool YamlReader::isGiven(const std::string& key) {
+  asked_.push_back(key);
+  return present_ && find(key).IsDefined();
+}
+
+}  // namespace rail
