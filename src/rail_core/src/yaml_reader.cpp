@@ -1,85 +1,13 @@
 #include "rail_core/yaml_reader.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "number_text.hpp"
+#include "value_rules.hpp"
 #include "yaml_source.hpp"
 
 namespace rail {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-std::string joinWords(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
-bool isWithin(double number, const Range& range) {
-  const bool above_low = range.low_included ? number >= range.low : number > range.low;
-  const bool below_high = range.high_included ? number <= range.high : number < range.high;
-  return above_low && below_high;
-}
-
-/// The rule in words: "must be a number > 0 and <= 1".
-std::string wordsFor(const Range& range) {
-  std::string words = "must be a number";
-  if (range.low > -kInfinity) words += (range.low_included ? " >= " : " > ") + formatNumber(range.low);
-  if (range.low > -kInfinity && range.high < kInfinity) words += " and";
-  if (range.high < kInfinity) words += (range.high_included ? " <= " : " < ") + formatNumber(range.high);
-  return words;
-}
-
-std::string wordsForInteger(int low, int high) {
-  std::string words = "must be an integer";
-  if (low > std::numeric_limits<int>::min()) words += " >= " + std::to_string(low);
-  if (low > std::numeric_limits<int>::min() && high < std::numeric_limits<int>::max()) words += " and";
-  if (high < std::numeric_limits<int>::max()) words += " <= " + std::to_string(high);
-  return words;
-}
-
-/// Some number that keeps the rule, to go on reading with.
-double harmlessValue(const Range& range) {
-  if (range.low > -kInfinity && range.low_included) return range.low;
-  if (range.high < kInfinity && range.high_included) return range.high;
-  if (range.low > -kInfinity && range.high < kInfinity) return range.low + 0.5 * (range.high - range.low);
-  if (range.low > -kInfinity) return range.low + 1.0;
-  return range.high < kInfinity ? range.high - 1.0 : 0.0;
-}
-
-bool isQuoted(const YAML::Node& node) { return node.Tag() == kQuotedTag; }
-
-bool isPlainScalar(const YAML::Node& node) { return node.IsScalar() && !isQuoted(node); }
-
-/// A value as messages show it.
-std::string shown(const YAML::Node& node) {
-  if (node.IsMap()) return "{...}";
-  if (node.IsSequence()) return "[...]";
-  return isQuoted(node) ? "\"" + node.Scalar() + "\"" : node.Scalar();
-}
-
-const char kMapRule[] = "must be a map";
-const char kListRule[] = "must be a list";
-const char kBooleanRule[] = "must be true or false";
-const char kTextRule[] = "must be text, and not empty";
-
-std::string choiceRule(const std::vector<std::string>& allowed) { return "must be one of: " + joinWords(allowed); }
-
-}  // namespace
-
-Range anyNumber() { return {}; }
-Range positive() { return {0.0, kInfinity, false, true}; }
-Range notNegative() { return {0.0, kInfinity, true, true}; }
-Range between(double low, double high) { return {low, high, true, true}; }
-Range above(double low) { return {low, kInfinity, false, true}; }
-Range aboveUpTo(double low, double high) { return {low, high, false, true}; }
 
 YamlReader::YamlReader(const Document& document, Problems& problems)
     : YamlReader(document, problems, document.root(), "", document.root().IsMap() && !document.unreadable("")) {}
@@ -266,67 +194,6 @@ void YamlReader::reject(const std::string& key, const std::string& rule) {
   } else {
     problems_->add(place.file, place.key, shown(node), rule);
   }
-}
-
-double YamlReader::readNumber(const YAML::Node& node, const std::string& key, const Range& range) {
-  if (!node.IsDefined()) return harmlessValue(range);
-  const std::optional<double> value = isPlainScalar(node) ? parseNumber(node.Scalar()) : std::nullopt;
-  if (value && isWithin(*value, range)) return *value;
-  if (node.IsScalar() && isQuoted(node)) {
-    reject(key, wordsFor(range) + ", not text");
-  } else if (!value && isPlainScalar(node) && isDecimal(node.Scalar())) {
-    reject(key, "is beyond the range of a double");
-  } else {
-    reject(key, wordsFor(range));
-  }
-  return harmlessValue(range);
-}
-
-int YamlReader::readInteger(const YAML::Node& node, const std::string& key, int low, int high) {
-  if (!node.IsDefined()) return low;
-  const std::optional<std::int64_t> value = isPlainScalar(node) ? parseInteger(node.Scalar()) : std::nullopt;
-  if (value && *value >= low && *value <= high) return static_cast<int>(*value);
-  const std::string words = wordsForInteger(low, high);
-  if (node.IsScalar() && isQuoted(node)) {
-    reject(key, words + ", not text");
-  } else if (!value && isPlainScalar(node) && isDecimal(node.Scalar()) && !parseInteger(node.Scalar())) {
-    reject(key, words + ", written without point and exponent");
-  } else if (value && *value > high && high == std::numeric_limits<int>::max()) {
-    reject(key, words + " and <= " + std::to_string(high));
-  } else {
-    reject(key, words);
-  }
-  return low;
-}
-
-bool YamlReader::readBoolean(const YAML::Node& node, const std::string& key) {
-  if (!node.IsDefined()) return false;
-  const bool plain = isPlainScalar(node);
-  if (plain && node.Scalar() == "true") return true;
-  if (!plain || node.Scalar() != "false") reject(key, kBooleanRule);
-  return false;
-}
-
-std::string YamlReader::readText(const YAML::Node& node, const std::string& key) {
-  if (!node.IsDefined()) return "";
-  if (node.IsScalar() && !node.Scalar().empty()) return node.Scalar();
-  reject(key, kTextRule);
-  return "";
-}
-
-std::string YamlReader::readChoice(const YAML::Node& node, const std::string& key,
-                                   const std::vector<std::string>& allowed) {
-  if (!node.IsDefined()) return allowed.front();
-  if (node.IsScalar() && contains(allowed, node.Scalar())) return node.Scalar();
-  reject(key, choiceRule(allowed));
-  return allowed.front();
-}
-
-YamlReader YamlReader::readMap(const YAML::Node& node, const std::string& key) {
-  const bool present = node.IsDefined() && node.IsMap();
-  const std::string path = joinPath(path_, key);
-  if (node.IsDefined() && !present && !document_->unreadable(path)) reject(key, kMapRule);
-  return YamlReader(*document_, *problems_, present ? node : YAML::Node(YAML::NodeType::Map), path, present);
 }
 
 /// True if an optional key stands in the map; marks it as asked for either way.

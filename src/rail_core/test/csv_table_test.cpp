@@ -25,13 +25,15 @@ TEST(CsvTableTest, WrongRowsAreNamedWithTheirLine) {
   EXPECT_EQ(faults(kHeader + "0,,0\n"), Lines{"line.csv: line 2: grade_permille: is empty: must be a number"});
   EXPECT_EQ(faults(kHeader + "0,1\n"), Lines{"line.csv: line 2: has 2 cells, the header names 3"});
   EXPECT_EQ(faults(kHeader + "0,1,nan\n"), Lines{"line.csv: line 2: radius_m = nan: must be a number"});
-  EXPECT_EQ(faults(kHeader + "0,1,1e999\n"), Lines{"line.csv: line 2: radius_m = 1e999: is beyond the range of a double"});
+  EXPECT_EQ(faults(kHeader + "0,1,1e999\n"),
+            Lines{"line.csv: line 2: radius_m = 1e999: is beyond the range of a double"});
   EXPECT_EQ(faults(kHeader + "0,1,300m\n"), Lines{"line.csv: line 2: radius_m = 300m: must be a number"});
   EXPECT_EQ(faults(kHeader + "0,1,0x10\n"), Lines{"line.csv: line 2: radius_m = 0x10: must be a number"});
 }
 
 TEST(CsvTableTest, DecimalCommaIsNamed) {
-  EXPECT_EQ(faults(kHeader + "3,2,0,0\n"), Lines{"line.csv: line 2: has 4 cells, the header names 3 (a decimal comma?)"});
+  EXPECT_EQ(faults(kHeader + "3,2,0,0\n"),
+            Lines{"line.csv: line 2: has 4 cells, the header names 3 (a decimal comma?)"});
   EXPECT_EQ(faults(kHeader + "\"3,2\",0,0\n"),
             Lines{"line.csv: line 2: chainage_km = 3,2: must be a number, with a decimal point"});
   EXPECT_EQ(faults("chainage_km;grade_permille;radius_m\n3,2;0;0\n"),
@@ -63,8 +65,8 @@ TEST(CsvTableTest, AllFaultsComeOutAtOnceAndGoodRowsAreKept) {
 
 TEST(CsvTableTest, ColumnsAreGivenInTheAskedOrder) {
   Problems problems;
-  const CsvTable table =
-      readCsv("radius_m, chainage_km ,grade_permille\r\n# c\r\n300,0.1,-2.5e1\r\n\r\n+.5,1.,0", "f", kColumns, problems);
+  const CsvTable table = readCsv("radius_m, chainage_km ,grade_permille\r\n# c\r\n300,0.1,-2.5e1\r\n\r\n+.5,1.,0", "f",
+                                 kColumns, problems);
   EXPECT_TRUE(problems.empty());
   EXPECT_EQ(table.columns, kColumns);
   EXPECT_EQ(table.rows, (std::vector<std::vector<double>>{{0.1, -25.0, 300.0}, {1.0, 0.0, 0.5}}));

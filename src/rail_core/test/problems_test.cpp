@@ -37,7 +37,7 @@ TEST(ProblemsTest, AllLinesAreThrownAtOnce) {
 
 TEST(NearestWordTest, FindsSlipsOfTheFinger) {
   const std::vector<std::string> known = {"mass_kg", "length_m", "axles"};
-  EXPECT_EQ(nearestWord("mas_kg", known), "mass_kg");    // a letter left out
+  EXPECT_EQ(nearestWord("mas_kg", known), "mass_kg");     // a letter left out
   EXPECT_EQ(nearestWord("lenght_m", known), "length_m");  // swapped
   EXPECT_EQ(nearestWord("Axles", known), "axles");        // case
   EXPECT_EQ(nearestWord("mass", known), "mass_kg");       // the unit left out

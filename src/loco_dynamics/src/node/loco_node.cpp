@@ -1,0 +1,120 @@
+#include "loco_node.hpp"
+
+#include <train_msgs/JoinTrain.h>
+
+#include <stdexcept>
+
+#include "conversions.hpp"
+#include "loco_dynamics/loco_factory.hpp"
+#include "rail_core/build_id.hpp"
+#include "rail_core/digest.hpp"
+
+namespace loco {
+
+namespace {
+
+constexpr double kLookInterval_s = 0.05;  // of the joining thread, wall time
+constexpr double kRetryInterval_s = 1.0;  // after a refusal
+
+}  // namespace
+
+LocoNode::LocoNode() : private_node_("~"), last_sign_of_train_(ros::WallTime::now()) {
+  int locomotive = 0;
+  if (!private_node_.getParam("locomotive", locomotive) || locomotive < 1)
+    throw std::runtime_error(
+        ros::this_node::getName() +
+        ": parameter ~locomotive is missing: must be the locomotive's number from the head, from 1");
+  train_ = private_node_.param<std::string>("train", "/train");
+  deadline_s_ = private_node_.param("train_deadline", 60.0);
+  request_.locomotive = static_cast<std::uint32_t>(locomotive);
+  request_.build_id = rail::buildId();
+  request_.arithmetic_fingerprint = rail::arithmeticFingerprint();
+  request_.node = ros::this_node::getName();
+  data_node_.setCallbackQueue(&queue_);
+  status_subscriber_ = data_node_.subscribe(train_ + "/status", 10, &LocoNode::onStatus, this);
+}
+
+int LocoNode::run() {
+  while (ros::ok()) {
+    bool needs_join = false;
+    {
+      const std::lock_guard<std::mutex> guard(mutex_);
+      needs_join = session_.needsJoin();
+      if (trainSilent()) {
+        ROS_ERROR("loco_%u: no sign of the train for %.0f s, ending", request_.locomotive, deadline_s_);
+        return 1;
+      }
+    }
+    if (needs_join) tryJoin();
+    ros::WallDuration(kLookInterval_s).sleep();
+  }
+  return 0;
+}
+
+bool LocoNode::trainSilent() const { return (ros::WallTime::now() - last_sign_of_train_).toSec() > deadline_s_; }
+
+void LocoNode::tryJoin() {
+  const std::string service = train_ + "/join";
+  if (!ros::service::exists(service, false)) return;
+  train_msgs::JoinTrain call;
+  call.request = toMsg(request_);
+  if (!ros::service::call(service, call)) return;
+  JoinAnswer joined = fromMsg(call.response);
+  joined.id.locomotive = request_.locomotive;
+  if (joined.accepted) {
+    takePlace(joined);
+  } else {
+    sayOnce("not in the train: " + joined.reason);
+    ros::WallDuration(kRetryInterval_s).sleep();
+  }
+}
+
+void LocoNode::takePlace(const JoinAnswer& joined) {
+  rail::Problems problems;
+  const rail::Document scenario = rail::Document::parse(joined.configuration, train_ + "/join", problems);
+  std::unique_ptr<Locomotive> locomotive;
+  if (problems.empty()) locomotive = makeLocomotive(scenario, joined.locomotive_key, problems);
+  problems.throwIfAny();
+  if (!joined.state.empty() && joined.state.size() != locomotive->stateSize())
+    throw std::runtime_error("the state of the train's locomotive has another length than this model's");
+  {
+    const std::lock_guard<std::mutex> guard(mutex_);
+    session_.start(std::move(locomotive), joined);
+    deadline_s_ = joined.heartbeat_deadline_s;
+    last_sign_of_train_ = ros::WallTime::now();
+  }
+  connect();
+  sayOnce("joined as incarnation " + std::to_string(joined.id.incarnation) + ", next step " +
+          std::to_string(joined.step));
+}
+
+void LocoNode::connect() {
+  if (traction_publisher_) return;
+  traction_publisher_ = data_node_.advertise<train_msgs::LocoTraction>("traction", 10);
+  force_subscriber_ = data_node_.subscribe("force", 10, &LocoNode::onForce, this, ros::TransportHints().tcpNoDelay());
+}
+
+void LocoNode::onForce(const train_msgs::LocoForceConstPtr& msg) {
+  const std::lock_guard<std::mutex> guard(mutex_);
+  last_sign_of_train_ = ros::WallTime::now();
+  const TractionMessage* answer = session_.onForce(fromMsg(*msg));
+  if (answer == nullptr) return;
+  toMsg(*answer, traction_msg_);
+  traction_msg_.header.stamp = msg->header.stamp + ros::Duration().fromNSec(msg->step_length);
+  traction_publisher_.publish(traction_msg_);
+}
+
+void LocoNode::onStatus(const train_msgs::TrainStatusConstPtr& msg) {
+  const std::lock_guard<std::mutex> guard(mutex_);
+  last_sign_of_train_ = ros::WallTime::now();
+  const ExchangeId& id = session_.id();
+  if (!session_.needsJoin() && (msg->run_id != id.run_id || msg->epoch != id.epoch)) session_.leave();
+}
+
+void LocoNode::sayOnce(const std::string& what) {
+  if (what == said_) return;
+  said_ = what;
+  ROS_INFO("loco_%u: %s", request_.locomotive, what.c_str());
+}
+
+}  // namespace loco

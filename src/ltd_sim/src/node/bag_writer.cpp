@@ -1,0 +1,64 @@
+#include "bag_writer.hpp"
+
+#include <stdexcept>
+
+#include "conversions.hpp"
+#include "ltd_sim/csv_file.hpp"
+
+namespace ltd {
+
+BagWriter::BagWriter(const Scenario& scenario, const std::string& folder, std::uint64_t run_id)
+    : scenario_(scenario), run_id_(run_id) {
+  const std::string path = folder + "/" + scenario.name + ".bag";
+  makeDirectories(folder);
+  try {
+    bag_.open(path, rosbag::bagmode::Write);
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + ": cannot be written: " + error.what());
+  }
+  bag_.setCompression(rosbag::compression::LZ4);
+  for (std::size_t i = 1; i <= scenario.train.locomotives.size(); ++i) {
+    force_topics_.push_back("/loco_" + std::to_string(i) + "/force");
+    traction_topics_.push_back("/loco_" + std::to_string(i) + "/traction");
+  }
+}
+
+void BagWriter::onStart(const TrainState& state) {
+  bag_.write("/train/configuration", toStamp(0), toMsg(scenario_, run_id_));
+  TrainForces none;  // no force has been computed yet
+  none.notch.assign(scenario_.train.locomotives.size(), 0);
+  none.coupler.resize(scenario_.train.coupler_type.size());
+  writeTelemetry(state, none);
+}
+
+void BagWriter::onStep(const StepRecord& record) {
+  if (scenario_.output.record_exchange) writeExchange(record);
+  const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(record.after.step) * scenario_.macro_step;
+  if (t % scenario_.output.telemetry_interval == 0) writeTelemetry(record.after, record.forces);
+}
+
+void BagWriter::onEnd(const TrainState&, const Outcome&) { bag_.close(); }
+
+void BagWriter::writeTelemetry(const TrainState& state, const TrainForces& forces) {
+  toMsg(scenario_, state, forces, state_msg_);
+  toMsg(scenario_, state, energy_msg_);
+  bag_.write("/train/state", state_msg_.header.stamp, state_msg_);
+  bag_.write("/train/energy", energy_msg_.header.stamp, energy_msg_);
+}
+
+void BagWriter::writeExchange(const StepRecord& record) {
+  const rail::Nanoseconds end = static_cast<rail::Nanoseconds>(record.after.step) * scenario_.macro_step;
+  for (std::size_t i = 0; i < record.answers.size(); ++i) {
+    loco::ForceMessage force;
+    force.id.run_id = run_id_;
+    force.id.locomotive = static_cast<std::uint32_t>(i + 1);
+    force.force = record.loco_forces[i];
+    toMsg(force, force_msg_);
+    bag_.write(force_topics_[i], force_msg_.header.stamp, force_msg_);
+    toMsg(force.id, *record.answers[i], traction_msg_);
+    traction_msg_.header.stamp = toStamp(end);
+    bag_.write(traction_topics_[i], traction_msg_.header.stamp, traction_msg_);
+  }
+}
+
+}  // namespace ltd

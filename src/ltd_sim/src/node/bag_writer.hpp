@@ -1,0 +1,42 @@
+#pragma once
+
+#include <rosbag/bag.h>
+#include <train_msgs/LocoForce.h>
+#include <train_msgs/LocoTraction.h>
+#include <train_msgs/TrainEnergy.h>
+#include <train_msgs/TrainState.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ltd_sim/run_observer.hpp"
+
+namespace ltd {
+
+/// Writes a run's bag: /train/configuration first, /train/state and /train/energy at the telemetry interval, and, if
+/// the scenario says record_exchange, every committed /loco_i/force and /loco_i/traction. Offline and graph write the
+/// same payloads; the ids of a session (epoch, incarnation) are left 0.
+class BagWriter : public RunObserver {
+ public:
+  /// Opens `folder`/SCENARIO.bag. @throws std::runtime_error with path and reason.
+  BagWriter(const Scenario& scenario, const std::string& folder, std::uint64_t run_id);
+  void onStart(const TrainState& state) override;
+  void onStep(const StepRecord& record) override;
+  void onEnd(const TrainState& state, const Outcome& outcome) override;
+
+ private:
+  void writeTelemetry(const TrainState& state, const TrainForces& forces);
+  void writeExchange(const StepRecord& record);
+
+  const Scenario& scenario_;
+  std::uint64_t run_id_;
+  rosbag::Bag bag_;
+  std::vector<std::string> force_topics_, traction_topics_;
+  train_msgs::TrainState state_msg_;
+  train_msgs::TrainEnergy energy_msg_;
+  train_msgs::LocoForce force_msg_;
+  train_msgs::LocoTraction traction_msg_;
+};
+
+}  // namespace ltd

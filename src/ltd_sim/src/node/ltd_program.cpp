@@ -1,0 +1,78 @@
+#include "ltd_program.hpp"
+
+#include <ros/ros.h>
+
+#include <exception>
+#include <sstream>
+#include <stdexcept>
+
+#include "ltd_node.hpp"
+#include "ltd_sim/csv_file.hpp"
+
+namespace ltd {
+
+namespace {
+
+std::string required(const ros::NodeHandle& node, const std::string& name, const std::string& what) {
+  std::string value;
+  if (!node.getParam(name, value) || value.empty()) throw std::runtime_error("ltd: ~" + name + ": is missing: " + what);
+  return value;
+}
+
+std::vector<rail::Override> readOverrides(const std::string& text) {
+  std::vector<rail::Override> overrides;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw std::runtime_error("ltd: ~set = " + word + ": must read key=value, several apart by spaces");
+    overrides.push_back({word.substr(0, equals), word.substr(equals + 1)});
+  }
+  return overrides;
+}
+
+void checkCount(int launched, const Scenario& scenario) {
+  const int wanted = static_cast<int>(scenario.train.locomotives.size());
+  if (launched == 0 || launched == wanted) return;
+  throw std::runtime_error(scenario.file + ": train.groups: has " + std::to_string(wanted) +
+                           " locomotives, the launch starts " + std::to_string(launched) +
+                           ": add locomotives:=" + std::to_string(wanted) + " to the roslaunch command");
+}
+
+/// A run that never started leaves its reason where scripts look for it.
+int refuse(const std::string& out, const std::string& reason) {
+  ROS_FATAL("%s", reason.c_str());
+  if (!out.empty()) {
+    try {
+      makeDirectories(out);
+      Outcome outcome;
+      outcome.kind = Outcome::Kind::kFailed;
+      outcome.reason = reason;
+      writeOutcome(out, outcome, 0.0, 0.0, 0);
+    } catch (const std::exception& error) {
+      ROS_FATAL("%s", error.what());
+    }
+  }
+  return 2;
+}
+
+}  // namespace
+
+int runProgram(const volatile std::sig_atomic_t& interrupted) {
+  const ros::NodeHandle parameters("~");
+  LtdNode::Options options;
+  try {
+    options.out = required(parameters, "out", "folder of the results, absolute");
+    options.record = parameters.param("record", true);
+    options.hold = parameters.param("hold", false);
+    const std::string file = required(parameters, "scenario", "path of the scenario, absolute");
+    const Scenario scenario = Scenario::load(file, readOverrides(parameters.param<std::string>("set", "")));
+    checkCount(parameters.param("locomotives", 0), scenario);
+    LtdNode node(scenario, options);
+    return node.run(interrupted);
+  } catch (const std::exception& error) {
+    return refuse(options.out, error.what());
+  }
+}
+
+}  // namespace ltd

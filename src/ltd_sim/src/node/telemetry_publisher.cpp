@@ -1,0 +1,39 @@
+#include "telemetry_publisher.hpp"
+
+#include <rosgraph_msgs/Clock.h>
+#include <train_msgs/RunConfiguration.h>
+
+#include "conversions.hpp"
+
+namespace ltd {
+
+TelemetryPublisher::TelemetryPublisher(const Scenario& scenario, std::uint64_t run_id)
+    : scenario_(scenario), run_id_(run_id) {
+  configuration_ = node_.advertise<train_msgs::RunConfiguration>("train/configuration", 1, true);
+  state_ = node_.advertise<train_msgs::TrainState>("train/state", 100);
+  energy_ = node_.advertise<train_msgs::TrainEnergy>("train/energy", 100);
+  clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 100);
+}
+
+void TelemetryPublisher::onStart(const TrainState&) {
+  configuration_.publish(toMsg(scenario_, run_id_));
+  publishClock(0);
+}
+
+void TelemetryPublisher::onStep(const StepRecord& record) {
+  const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(record.after.step) * scenario_.macro_step;
+  if (t % scenario_.output.telemetry_interval != 0) return;
+  toMsg(scenario_, record.after, record.forces, state_msg_);
+  toMsg(scenario_, record.after, energy_msg_);
+  state_.publish(state_msg_);
+  energy_.publish(energy_msg_);
+  publishClock(t);
+}
+
+void TelemetryPublisher::publishClock(rail::Nanoseconds t) {
+  rosgraph_msgs::Clock msg;
+  msg.clock = toStamp(t);
+  clock_.publish(msg);
+}
+
+}  // namespace ltd

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <ros/ros.h>
+#include <train_msgs/TrainEnergy.h>
+#include <train_msgs/TrainState.h>
+
+#include "ltd_sim/run_observer.hpp"
+
+namespace ltd {
+
+/// Publishes a run as it goes, at the scenario's telemetry interval in simulation time: /train/state, /train/energy and
+/// /clock; /train/configuration once, latched.
+class TelemetryPublisher : public RunObserver {
+ public:
+  TelemetryPublisher(const Scenario& scenario, std::uint64_t run_id);
+  void onStart(const TrainState& state) override;
+  void onStep(const StepRecord& record) override;
+
+ private:
+  void publishClock(rail::Nanoseconds t);
+
+  const Scenario& scenario_;
+  std::uint64_t run_id_;
+  ros::NodeHandle node_;
+  ros::Publisher configuration_, state_, energy_, clock_;
+  train_msgs::TrainState state_msg_;
+  train_msgs::TrainEnergy energy_msg_;
+};
+
+}  // namespace ltd

@@ -1,0 +1,16 @@
+# Sets BUILD_ID and writes build_id.cpp: from git, or from the file VERSION that `git archive` fills in, or "unknown".
+set(root ${CMAKE_CURRENT_SOURCE_DIR}/../..)
+set(BUILD_ID "")
+if(EXISTS "${root}/.git")
+  execute_process(COMMAND git -C ${root} describe --always --dirty --abbrev=12
+    OUTPUT_VARIABLE BUILD_ID OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(EXISTS "${root}/.git/logs/HEAD")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/.git/logs/HEAD)
+  endif()
+elseif(EXISTS "${root}/VERSION")
+  file(STRINGS ${root}/VERSION BUILD_ID LIMIT_COUNT 1)
+endif()
+if(NOT BUILD_ID)
+  set(BUILD_ID "unknown")
+endif()
+configure_file(src/build_id.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/build_id.cpp @ONLY)

@@ -1,0 +1,107 @@
+"""The energy account of the whole train: sources against sinks as bars, all numbers in a table."""
+from typing import List, Tuple
+
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from train_viz import plot_style
+from train_viz.run import Run
+
+# What the traction gives, and where it goes: (field of TrainEnergy or of `_final_MJ`, words, colour)
+SOURCES = (
+    ('traction_rail', 'traction at the rail', '0.35'),
+    ('slip_loss', 'slip loss', '0.60'),
+    ('rim_rest', 'wheel spin-up and other storage', '0.80'),
+)
+SINKS = (
+    ('kinetic', 'kinetic, change', plot_style.BLUE),
+    ('propulsion_resistance', 'propulsion resistance', plot_style.ORANGE),
+    ('curving_resistance', 'curving resistance', plot_style.GREEN),
+    ('potential', 'potential, change', plot_style.SKY),
+    ('coupler_loss', 'coupler loss', plot_style.VERMILION),
+    ('coupler_stored', 'coupler springs, change', plot_style.PURPLE),
+)
+
+
+def draw_energy_account(runs: List[Run]) -> Figure:
+    """Bars to compare by eye, one pair a run; below, the numbers with place, time and speed at the end."""
+    bars_height = 0.9 + 0.85 * len(runs)  # all sizes in inches
+    columns = [_table_rows(run) for run in runs]
+    header = [plot_style.wrapped(run.label, 15) for run in runs]
+    header_rows = 0.4 + 0.6 * max(text.count('\n') + 1 for text in header)  # in heights of the others
+    table_height = 0.31 * (len(columns[0]) + header_rows)
+    figure, (bars, table) = plt.subplots(2, 1, figsize=(max(9.5, 4.2 + 1.8 * len(runs)), bars_height + table_height + 1.2),
+                                         gridspec_kw={'height_ratios': (bars_height, table_height)})
+    _draw_bars(bars, runs)
+    _draw_table(table, columns, header, header_rows)
+    figure.suptitle('Energy account of the whole train')
+    return figure
+
+
+def _final_MJ(run: Run) -> dict:
+    final = {name: values[-1] / 1e6 for name, values in run.account.items()}
+    final['rim_rest'] = final['traction_rim'] - final['traction_rail'] - final['slip_loss']
+    return final
+
+
+def _draw_bars(axes: Axes, runs: List[Run]) -> None:
+    for i, run in enumerate(runs):
+        final = _final_MJ(run)
+        for terms, y in ((SOURCES, i - 0.19), (SINKS, i + 0.19)):
+            _stack(axes, [(final[name], colour) for name, _, colour in terms], y)
+    axes.set_yticks(range(len(runs)))
+    axes.set_yticklabels([plot_style.wrapped(run.label, 24) for run in runs])
+    axes.set_ylim(len(runs) - 0.5, -0.5)
+    low, high = axes.dataLim.intervalx
+    axes.set_xlim(min(1.05 * low, 0.0), max(1.05 * high, 1e-3))
+    axes.set_title('upper bar: what the motors give, lower bar: where it goes from the rail', fontsize=11)
+    axes.axvline(0.0, color='black', linewidth=0.8)
+    axes.grid(axis='y', visible=False)
+    axes.set_xlabel('energy since the start of the run [MJ]   (left of zero: given back)')
+
+
+def _stack(axes: Axes, terms: List[Tuple[float, str]], y: float) -> None:
+    """Positive terms to the right of zero, negative ones to the left."""
+    right = left = 0.0
+    for value, colour in terms:
+        axes.barh(y, value, height=0.36, left=right if value >= 0.0 else left, color=colour)
+        right, left = right + max(value, 0.0), left + min(value, 0.0)
+
+
+Row = Tuple[str, str, str]  # of the table: words, colour or '', value
+
+
+def _table_rows(run: Run) -> List[Row]:
+    final = _final_MJ(run)
+    rows = [('traction at the rim [MJ]', '', f'{final["traction_rim"]:.3f}')]
+    rows += [(f'{words} [MJ]', colour, f'{final[name]:.3f}') for name, words, colour in SOURCES + SINKS]
+    rows += [
+        ('residual [J]', '', f'{1e6 * final["residual"]:+.3g}'),
+        ('residual / traction at the rail', '', f'{run.account["residual_relative"][-1]:+.1e}'),
+        ('traction at the rail [kWh]', '', f'{final["traction_rail"] / 3.6:.3f}'),
+        ('place at the end [km]', '', f'{run.location_km[-1]:.3f}'),
+        ('time at the end [s]', '', f'{run.time_s[-1]:.2f}'),
+        ('speed at the end [km/h]', '', f'{run.speed_kmph[-1]:.3f}'),
+    ]
+    return rows
+
+
+def _draw_table(axes: Axes, columns: List[List[Row]], header: List[str], header_rows: float) -> None:
+    """A column a run; the first two columns are the bars' legend."""
+    cells = [['', words] + [column[i][2] for column in columns] for i, (words, _, _) in enumerate(columns[0])]
+    widths = [0.03, 0.37] + [0.6 / max(len(columns), 2)] * len(columns)
+    table = axes.table(cellText=cells, colLabels=['', ''] + header, colWidths=widths, cellLoc='right', colLoc='right',
+                       bbox=(0.0, 0.0, sum(widths), 1.0))
+    table.auto_set_font_size(False)
+    table.set_fontsize(11)
+    for (row, column), cell in table.get_celld().items():
+        colour = columns[0][row - 1][1] if row > 0 and column == 0 else ''
+        cell.visible_edges = 'closed' if colour else 'B'  # only closed cells are filled
+        cell.set_facecolor(colour or 'none')
+        cell.set_edgecolor('0.9')
+        if column == 1:
+            cell.set_text_props(ha='left')
+        if row == 0:
+            cell.set_height(header_rows * cell.get_height())
+    axes.axis('off')

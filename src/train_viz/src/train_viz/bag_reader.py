@@ -1,0 +1,122 @@
+"""Reads what LTD wrote: a bag becomes a Run. The only file here that knows rosbag and the messages."""
+import os
+import struct
+import sys
+import time
+from typing import Dict, Iterator, List, Tuple
+
+import genpy
+import numpy as np
+import rosbag
+from train_msgs.msg import RunConfiguration, TrainEnergy, TrainState
+
+from train_viz.run import ReportError, Run
+
+FORMAT_VERSION = 1  # of the bag, as in RunConfiguration; with another one fields may mean something else
+
+TOPICS = {
+    '/train/configuration': RunConfiguration,
+    '/train/state': TrainState,
+    '/train/energy': TrainEnergy,
+}
+ACCOUNT_FIELDS = [name for name, kind in zip(TrainEnergy.__slots__, TrainEnergy._slot_types) if kind == 'float64']
+PROGRESS_PERIOD_S = 2.0  # of wall time, chosen: short reads stay silent
+
+# What rosbag raises on files that are damaged in one way or another.
+UNREADABLE = (rosbag.ROSBagException, genpy.MessageException, struct.error, OSError, ValueError, KeyError, IndexError,
+              EOFError)
+
+
+def read_bag(path: str) -> Run:
+    """Reads one bag.
+
+    @raise ReportError naming the file and what to do
+    """
+    if not os.path.isfile(path):
+        raise ReportError(f'{path}: no such file: check the path')
+    if os.path.getsize(path) == 0:
+        raise ReportError(f'{path}: empty file: the run was killed before it wrote anything, simulate again')
+    try:
+        with rosbag.Bag(path) as bag:
+            _check_topics(path, bag)
+            configuration = _read_configuration(path, bag)
+            states, energies = _read_rows(path, bag)
+    except rosbag.ROSBagUnindexedException:
+        raise ReportError(f'{path}: bag was never closed: wait for the end of the run, or repair a copy of it with '
+                          f"'rosbag reindex'") from None
+    except UNREADABLE as error:
+        raise ReportError(f'{path}: not a readable bag ({_one_line(error)}): record or simulate it again') from None
+    return _make_run(path, configuration, states, energies)
+
+
+def _one_line(error: BaseException) -> str:
+    return ' '.join(str(error).split()) or type(error).__name__
+
+
+def _check_topics(path: str, bag: rosbag.Bag) -> None:
+    """Refuses bags without our topics, or with topics whose messages were defined differently."""
+    types, topics = bag.get_type_and_topic_info()
+    missing = [topic for topic in TOPICS if topic not in topics]
+    if missing:
+        raise ReportError(f'{path}: no messages on {", ".join(missing)}: give a telemetry bag written by LTD')
+    for topic, message in TOPICS.items():
+        name = topics[topic].msg_type
+        if name != message._type or types[name] != message._md5sum:
+            raise ReportError(f'{path}: {topic} has another definition of {message._type}: use the train_viz of the '
+                              'build that wrote it')
+
+
+def _read_configuration(path: str, bag: rosbag.Bag) -> RunConfiguration:
+    configurations = [message for _, message, _ in bag.read_messages('/train/configuration')]
+    versions = sorted({c.format_version for c in configurations} - {FORMAT_VERSION})
+    if versions:
+        raise ReportError(f'{path}: format_version {versions[0]}, this report reads {FORMAT_VERSION}: use the train_viz '
+                          f'of the build that wrote it ({configurations[0].build_id or "build unknown"})')
+    return configurations[0]
+
+
+Rows = Dict[int, Tuple]  # by the stamp in nanoseconds
+
+
+def _read_rows(path: str, bag: rosbag.Bag) -> Tuple[Rows, Rows]:
+    """What we need of every TrainState and TrainEnergy message."""
+    states: Rows = {}
+    energies: Rows = {}
+    for topic, m in _with_progress(path, bag, ['/train/state', '/train/energy']):
+        stamp = m.header.stamp.to_nsec()
+        if topic == '/train/state':
+            states[stamp] = (m.time, m.location, m.speed, np.array(m.notch), np.array(m.traction),
+                             np.array(m.coupler_force))
+        else:
+            energies[stamp] = (np.array(m.loco_energy_rail), np.array(m.loco_energy_rim),
+                               np.array([getattr(m, name) for name in ACCOUNT_FIELDS]))
+    return states, energies
+
+
+def _with_progress(path: str, bag: rosbag.Bag, topics: List[str]) -> Iterator[Tuple[str, genpy.Message]]:
+    total = bag.get_message_count(topics)
+    due = time.monotonic() + PROGRESS_PERIOD_S
+    for i, (topic, message, _) in enumerate(bag.read_messages(topics)):
+        yield topic, message
+        if time.monotonic() >= due:
+            print(f'report: {path}: {100 * i // total} % of {total} messages read', file=sys.stderr, flush=True)
+            due += PROGRESS_PERIOD_S
+
+
+def _make_run(path: str, configuration: RunConfiguration, states: Rows, energies: Rows) -> Run:
+    stamps = sorted(states.keys() & energies.keys())  # a cut bag may end between the two
+    if len(stamps) < 2:
+        raise ReportError(f'{path}: {len(stamps)} instant(s) with both /train/state and /train/energy, two are needed: '
+                          'let the run go on for longer')
+    try:
+        s = [np.array(column) for column in zip(*(states[stamp] for stamp in stamps))]
+        e = [np.array(column) for column in zip(*(energies[stamp] for stamp in stamps))]
+    except ValueError:  # ragged
+        raise ReportError(f'{path}: the number of vehicles changes within the bag: simulate again') from None
+    if s[3].shape[1:] == (0,) or not s[3].shape == s[4].shape == e[0].shape == e[1].shape:
+        raise ReportError(f'{path}: no locomotive, or lists of locomotives that differ in length: simulate again')
+    return Run(label=configuration.scenario, files=(path,), run_id=configuration.run_id,
+               build_id=configuration.build_id, scenario=configuration.scenario, resolved=configuration.resolved,
+               time_s=s[0], location_m=s[1], speed_mps=s[2], notch=s[3], traction_N=s[4], coupler_force_N=s[5],
+               loco_energy_rail_J=e[0], loco_energy_rim_J=e[1],
+               account={name: e[2][:, i] for i, name in enumerate(ACCOUNT_FIELDS)})

@@ -1,0 +1,107 @@
+"""Figures over the place of the leading locomotive: traction force, energy, speed and notch."""
+from typing import Any, Dict, List
+
+import numpy as np
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from train_viz import plot_style
+from train_viz.resolved_scenario import read_adhesion_limit
+from train_viz.run import Run
+
+KWH_PER_MJ = 1.0 / 3.6
+MARKED_CURVES = 2  # chosen: more marks make the legend unreadable
+
+
+def draw_traction_force(runs: List[Run]) -> Figure:
+    """Traction at the rail of the leading locomotive; as Fig. 6."""
+    figure, axes = plt.subplots(figsize=(9.0, 5.6))
+    plot_style.shade_curves(axes, runs)
+    for i, run in enumerate(runs):
+        axes.plot(run.location_km, run.traction_N[:, 0] / 1e3, label=run.label, **plot_style.line_style(i))
+    limits = {read_adhesion_limit(run.resolved) for run in runs} - {None}
+    for coefficient, force_N in sorted(limits):
+        axes.axhline(force_N / 1e3, color='black', linestyle='--', linewidth=1.2,
+                     label=f'adhesion limit {coefficient:g} m g = {force_N / 1e3:.1f} kN')
+    _start_at_zero(axes)
+    axes.set_title('Traction force of the leading locomotive', pad=22)
+    axes.set_ylabel('traction at the rail [kN]')
+    plot_style.set_place_axis(axes, runs)
+    plot_style.legend_below(figure, axes)
+    return figure
+
+
+def _start_at_zero(axes: Axes) -> None:
+    low, high = axes.get_ylim()
+    axes.set_ylim(0.0 if low > -0.1 * high else low, high)
+
+
+def draw_energy(runs: List[Run]) -> Figure:
+    """Energy of the leading locomotive, Eq. (4) at the rail and what the rim pays; as Fig. 8, and over speed.
+
+    At one place the slower train's lesser energy is not a saving but kinetic energy that it lacks; hence the comparison
+    at equal speed, where the runs allow it.
+    """
+    over_speed = all(run.speed_rises() for run in runs)
+    figure, panels = plt.subplots(1, 2 if over_speed else 1, figsize=(12.5 if over_speed else 9.0, 6.4),
+                                  squeeze=False, sharey=True)
+    place, last = panels[0, 0], panels[0, -1]
+    plot_style.shade_curves(place, runs)
+    for i, run in enumerate(runs):
+        _draw_energy_of(run, panels[0], plot_style.line_style(i), plot_style.curve_ends_m(runs)[:MARKED_CURVES])
+    place.set_ylabel('energy [MJ]')
+    place.set_title('over place', pad=22)
+    plot_style.set_place_axis(place, runs)
+    if over_speed:
+        last.set_title('over speed', pad=22)
+        last.set_xlabel('speed [km/h]')
+    _start_at_zero(place)
+    kwh = last.secondary_yaxis('right', functions=(lambda mj: mj * KWH_PER_MJ, lambda kwh: kwh / KWH_PER_MJ))
+    kwh.set_ylabel('energy [kWh]')
+    figure.suptitle('Energy of the leading locomotive')
+    notes = []
+    if len(runs) > 1:
+        notes.append('Less energy at equal place is no saving where the train is slower: compare at equal speed, too.')
+    if any(run.rim_differs() for run in runs):
+        notes.append('The rim also pays slip loss, which depends on the contact stiffness assumed (k0), and wheel spin-up.')
+    plot_style.legend_below(figure, place, '\n'.join(notes))
+    return figure
+
+
+def _draw_energy_of(run: Run, panels: np.ndarray, style: Dict[str, Any], marks_m: List[float]) -> None:
+    lines = [('at the rail', run.loco_energy_rail_J[:, 0], '-')]
+    if run.rim_differs():
+        lines.append(('at the rim', run.loco_energy_rim_J[:, 0], '--'))
+    for where, energy_J, dashes in lines:
+        energy_MJ = energy_J / 1e6
+        marks = [(place, run.at_location(energy_MJ, place)) for place in marks_m]
+        marks.append((run.location_m[-1], energy_MJ[-1]))
+        values = ', '.join(f'{energy:.1f} MJ at {place / 1e3:.3f} km' for place, energy in marks)
+        label = f'{run.label} {where}: {values} ({run.time_s[-1]:.1f} s, {run.speed_kmph[-1]:.2f} km/h)'
+        panels[0].plot(run.location_km, energy_MJ, dashes, label=label, **style)
+        panels[0].plot([place / 1e3 for place, _ in marks], [energy for _, energy in marks], 'o',
+                       color=style['color'], markersize=4.5, clip_on=False)
+        if len(panels) > 1:
+            panels[1].plot(run.speed_kmph, energy_MJ, dashes, **style)
+
+
+def draw_speed_notch(runs: List[Run]) -> Figure:
+    """Speed and notch of the leading locomotive."""
+    figure, (speed, notch) = plt.subplots(2, 1, figsize=(9.0, 7.0), sharex=True,
+                                          gridspec_kw={'height_ratios': (3, 2)})
+    plot_style.shade_curves(speed, runs)
+    plot_style.shade_curves(notch, runs, labels=False)
+    for i, run in enumerate(runs):
+        speed.plot(run.location_km, run.speed_kmph, label=run.label, **plot_style.line_style(i))
+        notch.step(run.location_km, run.notch[:, 0], where='post', **plot_style.line_style(i))
+    _start_at_zero(speed)
+    speed.set_title('Speed and notch of the leading locomotive', pad=22)
+    speed.set_ylabel('speed [km/h]')
+    notch.set_ylabel('notch')
+    notches = np.concatenate([run.notch[:, 0] for run in runs])
+    notch.set_ylim(min(notches.min(), 0.0) - 0.3, max(notches.max(), 8.0) + 0.4)
+    notch.yaxis.set_major_locator(plt.MaxNLocator(integer=True))
+    plot_style.set_place_axis(notch, runs)
+    plot_style.legend_below(figure, speed)
+    return figure

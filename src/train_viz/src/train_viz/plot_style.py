@@ -1,0 +1,102 @@
+"""What all figures share: backend, colours, curve shading, saving."""
+import math
+import os
+import textwrap
+from typing import Any, Dict, List, Tuple
+
+import matplotlib
+
+matplotlib.use('Agg')
+import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
+from matplotlib.axes import Axes  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
+
+from train_viz.resolved_scenario import read_curves  # noqa: E402
+from train_viz.run import Run  # noqa: E402
+
+# Okabe and Ito (2008): distinguishable with every common colour blindness. Yellow is left out, too pale for a line.
+BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY = '#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9'
+LINE_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, '#000000')
+CURVE_COLOUR = '0.55'
+PNG_DPI = 160
+
+plt.rcParams.update({
+    'figure.constrained_layout.use': True,
+    'font.size': 12,
+    'axes.titlesize': 13,
+    'axes.grid': True,
+    'axes.axisbelow': True,
+    'axes.spines.top': False,
+    'axes.spines.right': False,
+    'grid.color': '0.9',
+    'legend.frameon': False,
+    'legend.fontsize': 11,
+    'savefig.bbox': 'tight',  # takes legends outside the frame in
+    'svg.hashsalt': 'train_viz',  # the same bag gives the same SVG
+})
+
+
+def line_style(i: int) -> Dict[str, Any]:
+    """Of the i-th run: thinner from run to run, so that a line shows under the next where they coincide."""
+    return {'color': LINE_COLOURS[i % len(LINE_COLOURS)], 'linewidth': max(1.2, 2.6 - 0.6 * i)}
+
+
+def save(figure: Figure, directory: str, name: str) -> List[str]:
+    """Writes NAME.png and NAME.svg, closes the figure and returns the paths."""
+    paths = [os.path.join(directory, f'{name}.{suffix}') for suffix in ('png', 'svg')]
+    figure.savefig(paths[0], dpi=PNG_DPI)
+    figure.savefig(paths[1], metadata={'Date': None})
+    plt.close(figure)
+    return paths
+
+
+def legend_below(figure: Figure, axes: Axes, note: str = '') -> None:
+    """The legend of an axes under the whole figure, where it cannot hide a curve; in columns if its labels are short."""
+    handles, labels = axes.get_legend_handles_labels()
+    columns = max(1, min(4, 90 // (8 + max(len(label) for label in labels))))  # 90 characters fill a figure
+    figure.legend(handles, labels, loc='upper center', bbox_to_anchor=(0.5, 0.0), ncol=columns, title=note or None)
+
+
+def wrapped(label: str, width: int) -> str:
+    """Breaks a label into lines, after underscores if there are any."""
+    return '\n'.join(textwrap.wrap(label.replace('_', '_ '), width)).replace('_ ', '_')
+
+
+def place_range_km(runs: List[Run]) -> Tuple[float, float]:
+    """From the first to the last place of any run, widened to whole 10 m unless less than 1 m is beyond; never empty."""
+    first = math.floor(100.0 * min(run.location_km.min() for run in runs) + 0.1) / 100.0
+    last = math.ceil(100.0 * max(run.location_km.max() for run in runs) - 0.1) / 100.0
+    return first, max(last, first + 0.01)
+
+
+def set_place_axis(axes: Axes, runs: List[Run]) -> None:
+    axes.set_xlim(*place_range_km(runs))
+    axes.xaxis.set_major_locator(plt.MaxNLocator(nbins=6, steps=(1, 2, 3, 5, 10)))
+    axes.set_xlabel('place of the leading locomotive [km]')
+
+
+def shade_curves(axes: Axes, runs: List[Run], labels: bool = True) -> None:
+    """Shades the curves of all runs' tracks, transitions paler; labels above the frame as far as there is room."""
+    first, last = place_range_km(runs)
+    curves = sorted({curve for run in runs for curve in read_curves(run.resolved)}, key=lambda c: c.start_m)
+    free_from = first
+    for curve in curves:
+        start, end = max(curve.start_m / 1000.0, first), min(curve.end_m / 1000.0, last)
+        if start >= end:
+            continue
+        axes.axvspan(start, end, color=CURVE_COLOUR, alpha=0.14, linewidth=0, zorder=0)
+        axes.axvspan(max(curve.full_from_m / 1000.0, first), min(curve.full_to_m / 1000.0, last),
+                     color=CURVE_COLOUR, alpha=0.22, linewidth=0, zorder=0)
+        middle, width = (start + end) / 2.0, 0.06 * (last - first)  # 0.06: 'R1200' at this font size
+        if labels and middle >= free_from:
+            axes.annotate(curve.label, (middle, 1.0), xycoords=('data', 'axes fraction'), xytext=(0, 3),
+                          textcoords='offset points', ha='center', va='bottom', color='0.35', fontsize=11)
+            free_from = middle + width
+
+
+def curve_ends_m(runs: List[Run]) -> List[float]:
+    """Where curves end within the runs' common stretch [m]."""
+    first = max(run.location_m.min() for run in runs)
+    last = min(run.location_m.max() for run in runs)
+    ends = {curve.end_m for run in runs for curve in read_curves(run.resolved)}
+    return sorted(end for end in ends if first < end < last)

@@ -1,0 +1,91 @@
+"""One simulated run as plain arrays, and what is asked of it. Nothing here knows ROS or matplotlib."""
+import dataclasses
+from typing import Dict, List, Tuple
+
+import numpy as np
+
+
+class ReportError(Exception):
+    """Something the user can mend: says which file and what to do."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """A run in rows of equal simulation time; all arrays have the same number of rows. SI units.
+
+    Signs as in the messages: traction + forward, coupler + draft, dissipation >= 0.
+    """
+    label: str                        # in legends and file names; unique within one report
+    files: Tuple[str, ...]            # bags that it was read from
+    run_id: int
+    build_id: str
+    scenario: str
+    resolved: str                     # the resolved scenario, YAML text
+    time_s: np.ndarray                # since the start of the run
+    location_m: np.ndarray            # chainage of the leading locomotive
+    speed_mps: np.ndarray             # of the leading locomotive
+    notch: np.ndarray                 # [row, locomotive]
+    traction_N: np.ndarray            # [row, locomotive], at the rail
+    coupler_force_N: np.ndarray       # [row, coupler]
+    loco_energy_rail_J: np.ndarray    # [row, locomotive], Eq. (4)
+    loco_energy_rim_J: np.ndarray     # [row, locomotive]
+    account: Dict[str, np.ndarray]    # whole train: TrainEnergy's numbers by field name, [row]
+
+    @property
+    def location_km(self) -> np.ndarray:
+        return self.location_m / 1000.0
+
+    @property
+    def speed_kmph(self) -> np.ndarray:
+        return self.speed_mps * 3.6
+
+    def at_location(self, values: np.ndarray, location_m: float) -> float:
+        """`values` where the leading locomotive first passes a place, linear between the rows around it."""
+        return float(np.interp(location_m, np.maximum.accumulate(self.location_m), values))
+
+    def rim_differs(self) -> bool:
+        """Whether the rim pays visibly more than the rail gets (in 1D both are the same)."""
+        scale = np.max(np.abs(self.loco_energy_rail_J))
+        # 1e-4, chosen: a tenth of the width of a line in the figures.
+        return bool(np.max(np.abs(self.loco_energy_rim_J - self.loco_energy_rail_J)) > 1e-4 * scale)
+
+    def speed_rises(self) -> bool:
+        """Whether energy over speed is one readable line: the speed never drops by more than 2 % (chosen) of its maximum."""
+        drop = np.max(np.maximum.accumulate(self.speed_mps) - self.speed_mps)
+        return bool(drop <= 0.02 * np.max(np.abs(self.speed_mps)))
+
+
+def join_parts(parts: List[Run]) -> List[Run]:
+    """Joins bags of one run (LTD may close a bag and go on in the next) and gives every run a label of its own."""
+    groups: Dict[Tuple[int, str, str], List[Run]] = {}
+    for part in parts:
+        groups.setdefault((part.run_id, part.build_id, part.resolved), []).append(part)
+    return _label([_join(group) for group in groups.values()])
+
+
+def _join(parts: List[Run]) -> Run:
+    if len(parts) == 1:
+        return parts[0]
+    widths = {(p.traction_N.shape[1], p.coupler_force_N.shape[1]) for p in parts}
+    if len(widths) > 1:
+        raise ReportError(f'{", ".join(p.files[0] for p in parts)}: parts of one run with trains of different length: '
+                          'give each its own report')
+    # A resumed run repeats the rows after its checkpoint, bit for bit: any one of the same time will do.
+    _, rows = np.unique(np.concatenate([p.time_s for p in parts]), return_index=True)
+
+    def merged(get):
+        return np.concatenate([get(p) for p in parts])[rows]
+
+    arrays = {f.name: merged(lambda p, name=f.name: getattr(p, name))
+              for f in dataclasses.fields(Run) if f.type is np.ndarray}
+    account = {name: merged(lambda p, name=name: p.account[name]) for name in parts[0].account}
+    return dataclasses.replace(parts[0], files=sum((p.files for p in parts), ()), account=account, **arrays)
+
+
+def _label(runs: List[Run]) -> List[Run]:
+    """The scenario's name is the label; where it is not enough the bag's name, then a number is added."""
+    labels = [run.scenario or 'unnamed' for run in runs]
+    stems = [run.files[0].rsplit('/', 1)[-1].rsplit('.bag', 1)[0] for run in runs]
+    labels = [f'{label} ({stem})' if labels.count(label) > 1 else label for label, stem in zip(labels, stems)]
+    labels = [f'{label} #{i + 1}' if labels.count(label) > 1 else label for i, label in enumerate(labels)]
+    return [dataclasses.replace(run, label=label) for run, label in zip(runs, labels)]

@@ -1,0 +1,107 @@
+"""Writes bags as LTD does, from a train that is one rigid body: plausible to look at, exact in its sums.
+
+`python3 synthetic_bag.py DIR` writes full-length bags like the paper's three simulations, to look at the figures.
+"""
+import sys
+from typing import Dict, Optional
+
+import genpy
+import numpy as np
+import rosbag
+from train_msgs.msg import RunConfiguration, TrainEnergy, TrainState
+
+PERIOD_S = 0.02  # telemetry at 50 Hz of simulation time
+LOCO_KG, WAGON_KG = 134e3, 120e3
+
+RESOLVED = '''
+name: %(scenario)s
+train:
+  groups:
+    - {count: %(locos)d, vehicle: {mass_kg: 134000, adhesion_limit: 0.35}}
+    - {count: %(wagons)d, vehicle: {mass_kg: 120000}}
+track:
+  name: flat with one curve
+  start_km: 0
+  end_km: 10
+  curves:
+    - {start_km: 3.3, radius_m: 300, direction: left, transition_in_m: 50, circular_m: 200, transition_out_m: 50}
+'''
+
+
+def simulate(locos: int, wagons: int, end_km: float = 4.5, limit_N: float = 460.1e3, slip: float = 0.0,
+             duration_s: float = 1e9) -> Dict[str, np.ndarray]:
+    """Rows of a run from 3.0 km and 5 km/h; `slip` is the share of the traction work lost while the limit acts."""
+    mass = locos * LOCO_KG + wagons * WAGON_KG
+    s, v, t, force, row = 3000.0, 5.0 / 3.6, 0.0, 0.0, []
+    work = rim = resistance_work = 0.0
+    while s <= 1000.0 * end_km and t <= duration_s + 1e-9:
+        notch = min(8.0, 1.0 + t // 10.0)
+        row.append((t, s, v, notch, force, work, rim, resistance_work))
+        wanted = min(notch / 8.0 * 560e3, (notch / 8.0) ** 2 * 4.1e6 / v, limit_N)
+        force += np.clip(wanted - force, -160e3 * PERIOD_S, 40e3 * PERIOD_S)
+        resistance = mass / 1000.0 * (6.0 + 0.03 * v * 3.6)
+        new_v = v + (locos * force - resistance) / mass * PERIOD_S
+        step = (v + new_v) / 2.0 * PERIOD_S
+        work, resistance_work = work + force * step, resistance_work + resistance * step
+        rim += force * step * (1.0 + (slip if force >= 0.99 * limit_N else 0.0))
+        s, v, t = s + step, new_v, t + PERIOD_S
+    return dict(zip(('time', 'location', 'speed', 'notch', 'traction', 'work', 'rim', 'resistance_work'),
+                    np.array(row).T))
+
+
+def coupler_forces(time: np.ndarray, traction: np.ndarray, locos: int, wagons: int) -> np.ndarray:
+    """Every coupler pulls the vehicles behind it; a damped wave runs back through the train at every notch."""
+    number = np.arange(1, locos + wagons)
+    share = np.where(number <= locos, number * (1.0 - number / (locos + wagons)), locos * (1.0 - number / (locos + wagons)))
+    since_notch = np.maximum(np.minimum(time % 10.0, time) - number[:, None] / 40.0, 0.0)
+    wave = 120e3 * np.exp(-since_notch / 1.5) * np.sin(2.0 * np.pi * since_notch) * np.exp(-time / 40.0)
+    return (share[:, None] * traction + wave).T
+
+
+def state_message(rows: Dict[str, np.ndarray], i: int, couplers: np.ndarray, locos: int) -> TrainState:
+    m = TrainState(step=i * 10, time=rows['time'][i], location=rows['location'][i], speed=rows['speed'][i])
+    m.notch, m.traction = [rows['notch'][i]] * locos, [rows['traction'][i]] * locos
+    count = couplers.shape[1] + 1
+    m.vehicle_location = list(rows['location'][i] - 15.0 * np.arange(count))
+    m.vehicle_speed = [rows['speed'][i]] * count
+    m.coupler_force = list(couplers[i])
+    return m
+
+
+def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: int) -> TrainEnergy:
+    m = TrainEnergy()
+    m.loco_energy_rail, m.loco_energy_rim = [rows['work'][i]] * locos, [rows['rim'][i]] * locos
+    m.loco_energy_slip = [0.9 * (rows['rim'][i] - rows['work'][i])] * locos
+    m.traction_rail, m.traction_rim, m.slip_loss = (sum(values) for values in
+                                                    (m.loco_energy_rail, m.loco_energy_rim, m.loco_energy_slip))
+    m.propulsion_resistance, m.curving_resistance = 0.94 * rows['resistance_work'][i], 0.06 * rows['resistance_work'][i]
+    m.kinetic = mass_kg / 2.0 * (rows['speed'][i] ** 2 - rows['speed'][0] ** 2)
+    m.residual = m.traction_rail - rows['resistance_work'][i] - m.kinetic
+    m.residual_relative = m.residual / m.traction_rail if m.traction_rail else 0.0
+    return m
+
+
+def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: int = 5, run_id: int = 1,
+              resolved: Optional[str] = None, format_version: int = 1, rows_from: int = 0, **simulation) -> Dict:
+    """Writes a bag and returns what it holds: simulate()'s columns and the coupler forces."""
+    rows = simulate(locos, wagons, **simulation)
+    couplers = coupler_forces(rows['time'], rows['traction'], locos, wagons)
+    configuration = RunConfiguration(format_version=format_version, build_id='test', run_id=run_id, scenario=scenario)
+    configuration.resolved = RESOLVED % locals() if resolved is None else resolved
+    mass = locos * LOCO_KG + wagons * WAGON_KG
+    with rosbag.Bag(path, 'w') as bag:
+        for i in range(rows_from, len(rows['time'])):
+            stamp = genpy.Time(nsecs=10**9 + i * 20_000_000)  # stamps start at 1 s
+            if i == rows_from:
+                bag.write('/train/configuration', configuration, stamp)
+            for topic, message in (('/train/state', state_message(rows, i, couplers, locos)),
+                                   ('/train/energy', energy_message(rows, i, mass, locos))):
+                message.header.stamp = stamp
+                bag.write(topic, message, stamp)
+    return dict(rows, coupler_force=couplers)
+
+
+if __name__ == '__main__':
+    write_bag(f'{sys.argv[1]}/1d.bag', 'paper_1d', wagons=105, run_id=1)
+    write_bag(f'{sys.argv[1]}/2d.bag', 'paper_2d', wagons=105, run_id=2, limit_N=400e3, slip=0.075)
+    write_bag(f'{sys.argv[1]}/3d.bag', 'paper_3d', wagons=105, run_id=3, limit_N=416e3, slip=0.07)

@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""A bag becomes arrays with the numbers that were written; bags that are no use are refused with a reason."""
+import os
+import tempfile
+import unittest
+
+import numpy as np
+import rosbag
+import rosunit
+from std_msgs.msg import String
+
+from synthetic_bag import write_bag
+from train_viz.bag_reader import read_bag
+from train_viz.run import ReportError, join_parts
+
+
+class BagReaderTest(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.path = os.path.join(directory.name, 'run.bag')
+        self.other = os.path.join(directory.name, 'other.bag')
+
+    def assert_refused(self, path, *words):
+        with self.assertRaises(ReportError) as caught:
+            read_bag(path)
+        message = str(caught.exception)
+        self.assertNotIn('\n', message)
+        for word in (path,) + words:
+            self.assertIn(word, message)
+
+    def test_missing_file_is_refused(self):
+        self.assert_refused(self.path, 'no such file')
+
+    def test_empty_file_is_refused(self):
+        open(self.path, 'w').close()
+        self.assert_refused(self.path, 'empty file')
+
+    def test_text_file_is_refused(self):
+        with open(self.path, 'w') as file:
+            file.write('not a bag\n' * 100)
+        self.assert_refused(self.path, 'not a readable bag')
+
+    def test_bag_that_was_never_closed_is_refused(self):
+        write_bag(self.path, duration_s=1.0)
+        os.truncate(self.path, os.path.getsize(self.path) // 2)
+        self.assert_refused(self.path, 'rosbag reindex')
+
+    def test_bag_without_messages_is_refused(self):
+        rosbag.Bag(self.path, 'w').close()
+        self.assert_refused(self.path, '/train/state')
+
+    def test_bag_of_something_else_is_refused(self):
+        with rosbag.Bag(self.path, 'w') as bag:
+            bag.write('/chatter', String('hello'))
+        self.assert_refused(self.path, '/train/configuration', '/train/state', '/train/energy')
+
+    def test_other_message_definition_is_refused(self):
+        write_bag(self.path, duration_s=1.0)
+        with rosbag.Bag(self.path) as old, rosbag.Bag(self.other, 'w') as new:
+            for topic, message, stamp in old.read_messages():
+                new.write(topic, String() if topic == '/train/state' else message, stamp)
+        self.assert_refused(self.other, '/train/state', 'another definition')
+
+    def test_other_format_version_is_refused(self):
+        write_bag(self.path, format_version=7, duration_s=1.0)
+        self.assert_refused(self.path, 'format_version 7')
+
+    def test_single_instant_is_refused(self):
+        write_bag(self.path, duration_s=0.0)
+        self.assert_refused(self.path, '1 instant')
+
+    def test_arrays_are_what_was_written(self):
+        written = write_bag(self.path, locos=2, wagons=4, limit_N=50e3, slip=0.1, duration_s=60.0)
+        run = read_bag(self.path)
+        self.assertEqual((run.label, run.run_id, run.files), ('synthetic', 1, (self.path,)))
+        for read, name in ((run.time_s, 'time'), (run.location_m, 'location'), (run.speed_mps, 'speed'),
+                           (run.coupler_force_N, 'coupler_force')):
+            np.testing.assert_array_equal(read, written[name])
+        for read, name in ((run.notch, 'notch'), (run.traction_N, 'traction'), (run.loco_energy_rail_J, 'work'),
+                           (run.loco_energy_rim_J, 'rim')):
+            np.testing.assert_array_equal(read, np.column_stack([written[name]] * 2))
+        np.testing.assert_array_equal(run.account['traction_rail'], 2 * written['work'])
+        self.assertNotIn('loco_energy_rail', run.account)
+        self.assertTrue(run.rim_differs())
+
+    def test_state_without_energy_at_the_cut_end_is_left_out(self):
+        write_bag(self.path, duration_s=1.0)
+        with rosbag.Bag(self.path) as whole, rosbag.Bag(self.other, 'w') as cut:
+            messages = list(whole.read_messages())
+            for topic, message, stamp in messages[:-1]:
+                cut.write(topic, message, stamp)
+        self.assertEqual(len(read_bag(self.other).time_s), len(read_bag(self.path).time_s) - 1)
+
+    def test_vehicle_alone_has_no_couplers(self):
+        write_bag(self.path, locos=1, wagons=0, duration_s=1.0)
+        run = read_bag(self.path)
+        self.assertEqual(run.coupler_force_N.shape, (len(run.time_s), 0))
+
+    def test_value_at_a_place_is_linear_between_rows(self):
+        write_bag(self.path, duration_s=20.0)
+        run = read_bag(self.path)
+        middle = (run.location_m[500] + run.location_m[501]) / 2.0
+        self.assertAlmostEqual(run.at_location(run.time_s, middle), (run.time_s[500] + run.time_s[501]) / 2.0, places=9)
+
+    def test_overlapping_parts_of_one_run_join_to_the_whole(self):
+        first = write_bag(self.path, duration_s=10.0)
+        whole = write_bag(self.other, duration_s=20.0, rows_from=400)
+        run, = join_parts([read_bag(self.other), read_bag(self.path)])
+        np.testing.assert_array_equal(run.time_s, whole['time'])
+        np.testing.assert_array_equal(run.coupler_force_N, whole['coupler_force'])
+        self.assertEqual(len(run.account['kinetic']), len(whole['time']))
+        self.assertLess(len(first['time']), len(whole['time']))
+
+    def test_runs_of_one_scenario_get_labels_of_their_own(self):
+        write_bag(self.path, run_id=1, duration_s=1.0)
+        write_bag(self.other, run_id=2, duration_s=1.0)
+        labels = [run.label for run in join_parts([read_bag(self.path), read_bag(self.other)])]
+        self.assertEqual(labels, ['synthetic (run)', 'synthetic (other)'])
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('train_viz', 'test_bag_reader', BagReaderTest)

@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+"""The program `report` from the outside: files, exit codes, messages; and what its figures show."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+import numpy as np
+import rosunit
+
+from synthetic_bag import write_bag
+from train_viz.account_figure import draw_energy_account
+from train_viz.bag_reader import read_bag
+from train_viz.coupler_figure import COLUMNS, bin_extremes, draw_coupler_forces
+from train_viz.place_figures import draw_energy, draw_traction_force
+
+REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'scripts', 'report')
+COMPARISONS = ('traction_force', 'energy', 'speed_notch', 'energy_account')
+
+
+def own_lines(result):
+    """What the program says on stderr, without matplotlib's remarks on its caches on a fresh machine."""
+    return [line for line in result.stderr.splitlines() if line.startswith('report:')]
+
+
+class ReportTest(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.bag = os.path.join(directory.name, 'run.bag')
+        self.out = os.path.join(directory.name, 'deep', 'figures')
+
+    def report(self, *arguments):
+        return subprocess.run([sys.executable, REPORT, *arguments], capture_output=True, text=True, check=False)
+
+    def assert_figures(self, *names):
+        self.assertEqual(sorted(os.listdir(self.out)), sorted(f'{n}.{s}' for n in names for s in ('png', 'svg')))
+        for name in names:
+            with open(os.path.join(self.out, f'{name}.png'), 'rb') as file:
+                self.assertEqual(file.read(8), b'\x89PNG\r\n\x1a\n')
+            root = xml.etree.ElementTree.parse(os.path.join(self.out, f'{name}.svg')).getroot()
+            self.assertTrue(root.tag.endswith('svg'))
+
+    def assert_refused(self, result, *words):
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(len(own_lines(result)), 1, result.stderr)
+        self.assertNotIn('Traceback', result.stderr)
+        for word in words:
+            self.assertIn(word, result.stderr)
+
+    def test_missing_bag_is_one_line_and_exit_code_2(self):
+        self.assert_refused(self.report(self.bag, '--out', self.out), self.bag, 'no such file')
+
+    def test_out_that_is_a_file_is_one_line_and_exit_code_2(self):
+        write_bag(self.bag, duration_s=1.0)
+        self.assert_refused(self.report(self.bag, '--out', self.bag), self.bag, '--out')
+
+    def test_missing_out_is_refused(self):
+        self.assertEqual(self.report(self.bag).returncode, 2)
+
+    def test_one_run_gives_five_figures(self):
+        write_bag(self.bag, 'paper 1d/x', duration_s=60.0)
+        result = self.report(self.bag, '--out', self.out)
+        self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
+        self.assert_figures(*COMPARISONS, 'coupler_forces_paper_1d_x')
+
+    def test_two_runs_share_figures_but_for_the_couplers(self):
+        other = self.bag.replace('run.bag', 'other.bag')
+        write_bag(self.bag, 'left', run_id=1, duration_s=60.0)
+        write_bag(other, 'right', run_id=2, wagons=9, duration_s=50.0, resolved='')
+        result = self.report(self.bag, other, '--out', self.out)
+        self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
+        self.assert_figures(*COMPARISONS, 'coupler_forces_left', 'coupler_forces_right')
+
+    def test_vehicle_alone_gives_no_coupler_figure_and_says_so(self):
+        write_bag(self.bag, locos=1, wagons=0, duration_s=10.0)
+        result = self.report(self.bag, '--out', self.out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn('no couplers', result.stderr)
+        self.assert_figures(*COMPARISONS)
+
+    def test_traction_is_in_kN_over_km_with_the_limit(self):
+        written = write_bag(self.bag, duration_s=60.0)
+        axes = draw_traction_force([read_bag(self.bag)]).axes[0]
+        traction, limit = axes.get_lines()
+        np.testing.assert_allclose(traction.get_xdata(), written['location'] / 1e3, rtol=1e-12)
+        np.testing.assert_allclose(traction.get_ydata(), written['traction'] / 1e3, rtol=1e-12)
+        np.testing.assert_allclose(limit.get_ydata(), 460.089, rtol=1e-12)
+
+    def test_energy_is_in_MJ_and_kWh(self):
+        written = write_bag(self.bag, duration_s=60.0)
+        figure = draw_energy([read_bag(self.bag)])
+        figure.canvas.draw()
+        place, speed = figure.axes[:2]
+        for axes, x in ((place, written['location'] / 1e3), (speed, written['speed'] * 3.6)):
+            np.testing.assert_allclose(axes.get_lines()[0].get_xdata(), x, rtol=1e-12)
+            np.testing.assert_allclose(axes.get_lines()[0].get_ydata(), written['work'] / 1e6, rtol=1e-12)
+        kwh, = speed.child_axes
+        np.testing.assert_allclose(kwh.get_ylim(), np.array(speed.get_ylim()) * 1e6 / 3.6e6, rtol=1e-12)
+
+    def test_energy_shows_the_rim_only_where_it_differs(self):
+        for slip, lines in ((0.0, ['-']), (0.1, ['-', '--'])):
+            write_bag(self.bag, slip=slip, limit_N=50e3, duration_s=60.0)
+            drawn = draw_energy([read_bag(self.bag)]).axes[0].get_lines()
+            self.assertEqual([line.get_linestyle() for line in drawn if line.get_linestyle() != 'None'], lines)
+
+    def test_account_names_the_residual_and_the_end(self):
+        write_bag(self.bag, duration_s=60.0)
+        run = read_bag(self.bag)
+        run.account['residual'][-1] = -12.3e3
+        cells = [cell.get_text().get_text() for cell in draw_energy_account([run]).axes[1].tables[0].get_celld().values()]
+        for text in ('residual [J]', '-1.23e+04', '60.00', f'{run.speed_mps[-1] * 3.6:.3f}'):
+            self.assertIn(text, cells)
+
+    def test_coupler_map_is_symmetric_and_keeps_peaks(self):
+        write_bag(self.bag, duration_s=60.0)
+        run = read_bag(self.bag)
+        run.coupler_force_N[1234, 3] = -5e6
+        mesh = draw_coupler_forces(run).axes[0].collections[0]
+        self.assertEqual(mesh.get_clim(), (-5000.0, 5000.0))
+        self.assertEqual(mesh.get_array().min(), -5000.0)
+
+    def test_bins_hold_the_value_farthest_from_zero(self):
+        values = np.zeros((10 * COLUMNS, 2))
+        values[25], values[29] = (3.0, -4.0), (-2.0, 4.5)
+        edges, extremes = bin_extremes(np.arange(10.0 * COLUMNS), values)
+        self.assertEqual((len(edges), extremes.shape), (COLUMNS + 1, (COLUMNS, 2)))
+        self.assertEqual(edges[2], 20.0)
+        np.testing.assert_array_equal(extremes[2], (3.0, 4.5))
+        self.assertEqual(np.count_nonzero(extremes), 2)
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('train_viz', 'test_report', ReportTest)
