@@ -57,13 +57,15 @@ LockLimits readLock(rail::YamlReader reader) {
   return lock;
 }
 
-std::vector<double> readLocations(rail::YamlReader& reader, const std::string& key, const RunLimits& run) {
+/// Places beyond the end of the run are allowed, so that a run may be shortened without touching them.
+std::vector<double> readLocations(rail::YamlReader& reader, const std::string& key, const RunLimits& run,
+                                  double track_end_m) {
   std::vector<double> locations_m;
   for (const double km : reader.numbers(key, rail::anyNumber())) {
     const double s_m = km * rail::kMetresPerKilometre;
     if (!locations_m.empty() && s_m <= locations_m.back()) reader.refuse(key, "must rise");
-    if (s_m < run.start_location_m || s_m > run.end_location_m)
-      reader.refuse(key, format(km) + " is not between start_location_km and end_location_km");
+    if (s_m < run.start_location_m || s_m > track_end_m)
+      reader.refuse(key, format(km) + " is not between run.start_location_km and the end of the track");
     locations_m.push_back(s_m);
   }
   return locations_m;
@@ -71,8 +73,8 @@ std::vector<double> readLocations(rail::YamlReader& reader, const std::string& k
 
 OutputOptions readOutput(rail::YamlReader reader, const Scenario& scenario) {
   OutputOptions output;
-  output.report_locations_m = readLocations(reader, "report_locations_km", scenario.run);
-  output.section_boundaries_m = readLocations(reader, "section_boundaries_km", scenario.run);
+  output.report_locations_m = readLocations(reader, "report_locations_km", scenario.run, scenario.track.end_m());
+  output.section_boundaries_m = readLocations(reader, "section_boundaries_km", scenario.run, scenario.track.end_m());
   output.timeseries_interval = readTime(reader, "timeseries_interval_s", rail::positive());
   output.telemetry_interval = readTime(reader, "telemetry_interval_s", rail::positive());
   output.record_exchange = reader.boolean("record_exchange");

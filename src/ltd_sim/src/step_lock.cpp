@@ -33,6 +33,7 @@ class StepLock::Slot : public loco::LocoPort {
     asked_ = true;
     answered_ = false;
     asked_since_s_ = -1.0;
+    send_at_once_ = false;
     if (joined()) lock_.send_(index_, message_);
   }
 
@@ -50,6 +51,7 @@ class StepLock::Slot : public loco::LocoPort {
   loco::LocoTraction answer_;                   ///< to the step under way, if answered_
   bool asked_ = false, answered_ = false;
   bool must_join_again_ = false;
+  bool send_at_once_ = false;
   std::string node_;
   double location_m_ = 0.0, speed_mps_ = 0.0;
   double asked_since_s_ = -1.0, sent_s_ = -1.0;
@@ -105,7 +107,7 @@ loco::JoinAnswer StepLock::onJoin(const loco::JoinRequest& request, double now_s
   slot.node_ = request.node;
   slot.must_join_again_ = false;
   slot.message_.id.incarnation = ++last_incarnation_;
-  slot.sent_s_ = -1.0;  // the step under way goes to the newcomer with the next tick
+  slot.send_at_once_ = true;  // the step under way, with the next tick
 
   answer.accepted = true;
   answer.id = slot.message_.id;
@@ -177,8 +179,9 @@ void StepLock::tick(double now_s) {
     if (slot->waited_s(now_s) > settings_.answer_deadline_s)
       fail(nameOf(slot->index_) + (slot->joined() ? " has not answered" : " has not joined again for") + " step " +
            std::to_string(slot->message_.force.step) + " within " + seconds(settings_.answer_deadline_s));
-    if (slot->joined() && (slot->sent_s_ < 0.0 || now_s - slot->sent_s_ >= settings_.resend_interval_s)) {
+    if (slot->joined() && (slot->send_at_once_ || now_s - slot->sent_s_ >= settings_.resend_interval_s)) {
       slot->sent_s_ = now_s;
+      slot->send_at_once_ = false;
       ++counters_.resent;
       send_(slot->index_, slot->message_);
     }

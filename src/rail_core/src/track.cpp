@@ -53,10 +53,9 @@ void Track::build(const TrackProfile& profile) {
       const double length_m = s_m - last.s_m;
       height_m += (last.grade + 0.5 * last.grade_slope_1pm * length_m) * length_m;
     }
-    const double goes_on = s_m < end_m_ ? 1.0 : 0.0;  // beyond the end the values there hold
     const Segment grade = grades.from(s_m), curvature = curvatures.from(s_m), cant = cants.from(s_m);
-    pieces_.push_back({s_m, grade.value, goes_on * grade.slope, curvature.value, goes_on * curvature.slope, cant.value,
-                       goes_on * cant.slope, limits.from(s_m).value, height_m});
+    pieces_.push_back({s_m, grade.value, grade.slope, curvature.value, curvature.slope, cant.value, cant.slope,
+                       limits.from(s_m).value, height_m});
   }
 }
 

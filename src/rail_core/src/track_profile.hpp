@@ -15,7 +15,7 @@ struct Segment {
 };
 
 /// The track as its file describes it: each quantity with break points of its own, rising, the first at the track's
-/// start, none beyond its end.
+/// start, none beyond its end, the last of slope zero (its value holds beyond the end).
 struct TrackProfile {
   double start_m = 0.0, end_m = 0.0;
   std::vector<Segment> grade;        ///< [-]

@@ -132,6 +132,13 @@ TEST_F(DocumentOverrideTest, FileNamedDeepInAnIncludedFileCanBeReplaced) {
   EXPECT_EQ(document_.place("train.groups.0.vehicle.name").file, path("v.yaml"));
 }
 
+TEST_F(DocumentOverrideTest, ReplacedSubtreeForgetsTheFilesThatWereInIt) {
+  write("scenarios/s.yaml", "a: {b_file: ../track.yaml, lost_file: absent.yaml}\n");
+  textWith({{"a", "{b: {name: other}, lost: 1}"}});
+  EXPECT_EQ(document_.place("a.b.name").file, "--set");
+  EXPECT_FALSE(document_.unreadable("a.lost"));
+}
+
 TEST_F(DocumentOverrideTest, FilesNamedInAValueAreRead) {
   textWith({{"train", "{first_file: " + path("track.yaml") + "}"}});
   EXPECT_EQ(linesOf(problems_), Lines{});

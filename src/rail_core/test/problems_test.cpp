@@ -39,6 +39,7 @@ TEST(NearestWordTest, FindsSlipsOfTheFinger) {
   const std::vector<std::string> known = {"mass_kg", "length_m", "axles"};
   EXPECT_EQ(nearestWord("mas_kg", known), "mass_kg");     // a letter left out
   EXPECT_EQ(nearestWord("lenght_m", known), "length_m");  // swapped
+  EXPECT_EQ(nearestWord("nmae", {"name"}), "name");       // one slip, not two
   EXPECT_EQ(nearestWord("Axles", known), "axles");        // case
   EXPECT_EQ(nearestWord("mass", known), "mass_kg");       // the unit left out
   EXPECT_EQ(nearestWord("mass_t", known), "mass_kg");     // another unit

@@ -24,7 +24,8 @@ TEST(SimTimeTest, FractionsOfANanosecondAreRefused) {
 }
 
 TEST(SimTimeTest, LongTimesAreWholeThoughDoublesAreCoarse) {
-  EXPECT_EQ(wholeNanoseconds(86400.002), 86400002000000);  // a double here is 1.5e-2 ns wide
+  EXPECT_EQ(wholeNanoseconds(86400.002), 86400002000000);
+  EXPECT_EQ(wholeNanoseconds(262518.335), 262518335000000);  // times 1e9 it is 0.03 ns off
   EXPECT_EQ(wholeNanoseconds(123456.789), 123456789000000);
 }
 

@@ -129,17 +129,16 @@ TEST(TrackTest, LargestAndSmallestGradeAreThoseReached) {
 }
 
 TEST(TrackTest, ChainagesComputedInTwoWaysAreOneBreakPoint) {
-  // 4.35 km and 0.1 m steps are no exact doubles: the second curve starts where the first one ends all the same.
+  // 4762.3 + 10.1 + 32.3 + 46.1 is 4850.800000000001 and 4.8508 * 1000 is 4850.799999999999: no overlap all the same.
   const TrackReading reading = readTrack(
       "{name: n, start_km: 4, end_km: 5, grades: [{from_km: 4, grade_permille: 0}],"
       " speed_limits: [{from_km: 4, limit_kmph: 80}], curves: ["
-      "{start_km: 4.3501, radius_m: 300, direction: left, transition_in_m: 50.1, circular_m: 20.2, transition_out_m: "
-      "9.7,"
-      " cant_mm: 0},"
-      "{start_km: 4.4301, radius_m: 300, direction: left, transition_in_m: 0, circular_m: 569.9, transition_out_m: 0,"
+      "{start_km: 4.7623, radius_m: 300, direction: left, transition_in_m: 10.1, circular_m: 32.3,"
+      " transition_out_m: 46.1, cant_mm: 0},"
+      "{start_km: 4.8508, radius_m: 400, direction: left, transition_in_m: 0, circular_m: 149.2, transition_out_m: 0,"
       " cant_mm: 0}]}");
   EXPECT_EQ(reading.faults, std::vector<std::string>{});
-  EXPECT_EQ(reading.track.at(4430.1).curvature_1pm, 1.0 / 300.0);
+  EXPECT_EQ(reading.track.at(4850.8).curvature_1pm, 1.0 / 400.0);
   EXPECT_EQ(reading.track.at(5000.0).curvature_1pm, 0.0);
 }
 

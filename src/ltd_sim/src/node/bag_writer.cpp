@@ -32,18 +32,24 @@ void BagWriter::onStart(const TrainState& state) {
 }
 
 void BagWriter::onStep(const StepRecord& record) {
+  forces_ = &record.forces;
   if (scenario_.output.record_exchange) writeExchange(record);
   const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(record.after.step) * scenario_.macro_step;
   if (t % scenario_.output.telemetry_interval == 0) writeTelemetry(record.after, record.forces);
 }
 
-void BagWriter::onEnd(const TrainState&, const Outcome&) { bag_.close(); }
+void BagWriter::onEnd(const TrainState& state, const Outcome&) {
+  if (forces_ != nullptr && toStamp(static_cast<rail::Nanoseconds>(state.step) * scenario_.macro_step) != written_)
+    writeTelemetry(state, *forces_);
+  bag_.close();
+}
 
 void BagWriter::writeTelemetry(const TrainState& state, const TrainForces& forces) {
   toMsg(scenario_, state, forces, state_msg_);
   toMsg(scenario_, state, energy_msg_);
   bag_.write("/train/state", state_msg_.header.stamp, state_msg_);
   bag_.write("/train/energy", energy_msg_.header.stamp, energy_msg_);
+  written_ = state_msg_.header.stamp;
 }
 
 void BagWriter::writeExchange(const StepRecord& record) {

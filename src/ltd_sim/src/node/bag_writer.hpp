@@ -31,6 +31,8 @@ class BagWriter : public RunObserver {
 
   const Scenario& scenario_;
   std::uint64_t run_id_;
+  const TrainForces* forces_ = nullptr;  ///< of the last step; the co-simulation's
+  ros::Time written_;                    ///< stamp of the last telemetry
   rosbag::Bag bag_;
   std::vector<std::string> force_topics_, traction_topics_;
   train_msgs::TrainState state_msg_;
