@@ -72,6 +72,7 @@ check_includes() {
 # These cost the same bits on every machine. Comments may name them.
 check_compiler_flags() {
   local found
+  # shellcheck disable=SC2016  # the $0 is awk's
   found=$(
     find "$REPO" \( -path "$REPO/build*" -o -path "$REPO/devel*" -o -path "$REPO/install" -o -path "$REPO/results" \) -prune \
       -o -type f \( -name CMakeLists.txt -o -name '*.cmake' -o -name '*.cmake.in' \) -print0 | sort -z \
@@ -108,7 +109,8 @@ check_count_tests() {
 # Libraries, programs and benchmarks of the build without ROS; the tests are left to the colcon check, which compiles every
 # file of every package, tests and nodes too, with the same option. Nothing that is long to compile is compiled twice.
 check_warnings() {
-  cmake -S "$REPO/without_ros" -B "$check_dir/plain" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DTRAIN_WARNINGS_AS_ERRORS=ON 2>&1
+  cmake -S "$REPO/without_ros" -B "$check_dir/plain" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF \
+    -DTRAIN_WARNINGS_AS_ERRORS=ON 2>&1
   cmake --build "$check_dir/plain" -j "$(parallel_jobs)" 2>&1
 }
 

@@ -114,17 +114,27 @@ class Build:
         return self.directory / 'test_results' / f'{executable}.xml', False
 
     def count(self):
+        if not self.tests:
+            self.cases.append(failed(self.directory.name, 'test list', 'holds no test: was the build configured with tests?'))
         for test in self.tests:
             path, is_catkin = self.result_path(test)
             self.claimed.add(path.with_name(f'MISSING-{path.name}'))  # catkin's mark for the same fact
             if path.is_file():
-                self._claim(path)
+                self._claim_test(test, path)
             else:
                 self.cases.append(self._case_without_result(test, path, is_catkin))
         for path in sorted((self.directory / 'test_results').rglob('*.xml')):
             self._claim(path)
         self._compare_with_ctest()
         return self.cases
+
+    def _claim_test(self, test, path):
+        before = len(self.cases)
+        self._claim(path)
+        outcome, output = self.ctest.get(test['name'], ('passed', ''))
+        if outcome == 'failed' and not any(case.outcome == 'failed' for case in self.cases[before:]):
+            self.cases.append(failed(group_of(path), 'whole program', 'failed though each of its test cases passed: it '
+                                     f'crashed or hung after the last\n{last_lines(output)}'.strip()))
 
     def _claim(self, path):
         if path in self.claimed:
@@ -168,9 +178,7 @@ class Build:
         except (OSError, ValueError):
             status = -1
         if status != 0 and not any(case.outcome == 'failed' for case in self.cases):
-            names = [name for name, (outcome, _) in self.ctest.items() if outcome == 'failed']
-            self.cases.append(failed(self.directory.name, 'ctest', f'ended with {status} though every test case passed: '
-                                     f'{", ".join(names) or "a test"} failed after its last case; '
+            self.cases.append(failed(self.directory.name, 'ctest', f'ended with {status} though every test case passed; '
                                      f'see {self.directory}/Testing/Temporary/LastTest.log'))
 
 

@@ -61,7 +61,12 @@ class CountTestsTest(unittest.TestCase):
         return output
 
     def test_nothing_ran(self):
-        self.assert_count('0 passed, 0 failed', 1)
+        self.assert_count('0 passed, 1 failed', 1)
+
+    def test_build_without_tests(self):
+        self.build('plain')
+        self.catkin_test('gtest-a.xml', PASSED.format('x'))
+        self.assertIn('FAILED plain: test list', self.assert_count('1 passed, 1 failed', 1))
 
     def test_passed_failed_error(self):
         self.catkin_test('gtest-a.xml', PASSED.format('x'), FAILED.format('y', 'one is not two'),
@@ -130,15 +135,21 @@ class CountTestsTest(unittest.TestCase):
         self.build('build', status=8)
         self.catkin_test('gtest-a.xml', PASSED.format('x'))
         self.assert_count('1 passed, 1 failed', 1)
+        self.catkin_test('gtest-b.xml', PASSED.format('x'))
+        self.catkin_test('gtest-c.xml', FAILED.format('x', 'why'))
+        ctest_cases = [f'<testcase name="_ctest_pkg_gtest-{x}.xml"><failure/></testcase>' for x in 'bc']
+        (self.root / 'build/ctest.xml').write_text(f'<testsuite>{"".join(ctest_cases)}</testsuite>')
+        self.assertIn('FAILED b: whole program', self.assert_count('2 passed, 2 failed', 1))
 
     def test_program_that_is_no_gtest(self):
         self.build('plain')
+        self.catkin_test('gtest-a.xml', PASSED.format('x'))
         self.plain_test('smoke')
         ctest = self.root / 'plain/ctest.xml'
         ctest.write_text('<testsuite><testcase name="smoke" status="run"/></testsuite>')
-        self.assert_count('1 passed, 0 failed', 0)
+        self.assert_count('2 passed, 0 failed', 0)
         ctest.unlink()
-        self.assert_count('0 passed, 1 failed', 1)
+        self.assert_count('1 passed, 1 failed', 1)
 
     def test_test_sources_that_nothing_runs(self):
         self.catkin_test('gtest-a.xml', PASSED.format('x'))

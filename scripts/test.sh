@@ -14,13 +14,17 @@ if [[ $# -gt 0 ]]; then
 fi
 
 one_test_limit_s=1200
-all_tests_limit='45 minutes'  # for each build; CI gives 90 minutes for everything
+all_tests_limit='45 minutes'  # CI gives 90 minutes for everything; tests that come too late count as failed
 
 not_built() {
-  echo "test: $1 failed, see the first error above; no test was run" >&2
+  echo "test: $1 failed; no test was run" >&2
   echo "0 passed, 1 failed"  # whoever reads the last line only must not think that all is well
   exit 1
 }
+
+if [[ "$REPO" == *[[:space:]]* ]]; then
+  not_built "running tests in a path with a space ($REPO; catkin does not quote its test commands: move the checkout)"
+fi
 
 # What would hide tests or make them depend on this shell.
 unset GTEST_FILTER GTEST_OUTPUT GTEST_SHUFFLE GTEST_REPEAT GTEST_TOTAL_SHARDS GTEST_SHARD_INDEX
@@ -34,7 +38,7 @@ export MPLBACKEND=Agg
 # after the last test case stays unseen) and ends one that hangs.
 run_tests() {
   local build=$1 status=0 flags=(-j1 --timeout "$one_test_limit_s")
-  flags+=(--stop-time "$(date -d "+$all_tests_limit" +%H:%M:%S)")
+  flags+=(--stop-time "$stop_time")
   if [[ "$(ctest --help)" == *--output-junit* ]]; then  # CMake 3.21; before, the XML of the tests themselves has to do
     flags+=(--output-junit "$build/ctest.xml")
   fi
@@ -49,12 +53,13 @@ run_tests() {
   echo "$status" > "$build/ctest_status"
 }
 
-"$REPO/scripts/build.sh" all tests || not_built "the build with catkin"
+"$REPO/scripts/build.sh" all tests || not_built "the build with catkin (see the first error above)"
 
 cmake -S "$REPO/without_ros" -B "$REPO/build_plain" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON \
-  || not_built "configuring the build without ROS"
-cmake --build "$REPO/build_plain" -j "$(parallel_jobs)" || not_built "the build without ROS"
+  || not_built "configuring the build without ROS (see above; after moving the checkout remove build_plain/)"
+cmake --build "$REPO/build_plain" -j "$(parallel_jobs)" || not_built "the build without ROS (see the first error above)"
 
+stop_time=$(date -d "+$all_tests_limit" +%H:%M:%S)
 run_tests "$REPO/build"
 run_tests "$REPO/build_plain"
 "$PYTHON" "$REPO/scripts/count_tests.py" --source "$REPO/src" "$REPO/build" "$REPO/build_plain"

@@ -16,7 +16,7 @@ std::vector<double> Loco1d::equilibriumState(double location_m, double speed_mps
 }
 
 double computeAdhesionLimitedTraction(double reference_N, double adhesion_limit_N) {
-  return std::min(reference_N, adhesion_limit_N);
+  return std::min(reference_N, adhesion_limit_N);  // (T8)
 }
 
 void Loco1d::step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) {
@@ -27,8 +27,8 @@ void Loco1d::step(const std::vector<double>& state, const LocoForce& force, Loco
 
   const double F_t = computeAdhesionLimitedTraction(force.traction_reference_N, adhesion_limit_N_);
   const double F = force.coupler_front_N + force.coupler_rear_N + F_t + force.propulsion_resistance_N +
-                   force.curving_resistance_N + force.grade_N;  // Eq. (1)
-  const double v_end = v + H * F / parameters_.inertial_mass_kg;
+                   force.curving_resistance_N + force.grade_N;    // Eq. (1)
+  const double v_end = v + H * F / parameters_.inertial_mass_kg;  // (T5)
   const double s_end = s + H * v_end;
 
   answer.step = force.step;

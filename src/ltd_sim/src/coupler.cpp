@@ -34,6 +34,7 @@ Coupler::Parameters Coupler::read(rail::YamlReader reader) {
       piece.up_to_m = pieces[i].number("up_to_m", rail::above(last_m));
       last_m = piece.up_to_m;
     } else if (pieces[i].has("up_to_m")) {
+      pieces[i].number("up_to_m", rail::anyNumber());
       pieces[i].refuse("up_to_m", "the last piece goes on for ever and must have no end");
     }
     pieces[i].finish();

@@ -24,7 +24,10 @@ std::vector<Driver::Entry> Driver::readNotches(rail::YamlReader& reader, bool ov
                                              {over_time ? "time_s" : "location_km", "notch"}, reader.problems());
     rows = csv.rows;
     for (const int line : csv.line_of_row) places.push_back("line " + std::to_string(line));
-    if (reader.has("notches")) reader.refuse("notches", "must not stand beside notches_table");
+    if (reader.has("notches")) {
+      reader.rows("notches", 2);
+      reader.refuse("notches", "must not stand beside notches_table");
+    }
   } else {
     rows = reader.rows("notches", 2);
     for (std::size_t i = 0; i < rows.size(); ++i) places.push_back("driver.notches." + std::to_string(i));

@@ -27,7 +27,7 @@ class Loco1d : public Locomotive {
   double adhesion_limit_N_;
 };
 
-/// Traction after the adhesion limit.                                                              (T5)
+/// Traction after the adhesion limit.                                                              (T8)
 ///   F_t = min(F_ref, mu_lim m g)
 /// @param reference_N  traction reference [N], >= 0
 /// @return force on the locomotive [N], + forward

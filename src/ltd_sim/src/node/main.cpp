@@ -1,6 +1,7 @@
 #include <ros/ros.h>
 
 #include <csignal>
+#include <cstdio>
 
 #include "ltd_program.hpp"
 
@@ -11,6 +12,7 @@ void onInterrupt(int) { interrupted = 1; }
 
 /// ltd_node: the train; see ltd_program.hpp for its parameters.
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // what is said is seen at once, also through roslaunch
   ros::init(argc, argv, "ltd", ros::init_options::NoSigintHandler);
   ros::master::setRetryTimeout(ros::WallDuration(5.0));
   std::signal(SIGINT, onInterrupt);

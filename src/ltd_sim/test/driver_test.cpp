@@ -1,0 +1,167 @@
+#include "ltd_sim/driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include "train_fixtures.hpp"
+
+namespace {
+
+using ltd::Driver;
+
+constexpr rail::Nanoseconds kStep = 2000000;  // 2 ms
+constexpr rail::Nanoseconds kSecond = rail::kNanosecondsPerSecond;
+
+const std::string kPaperNotches = "[0, 1], [10, 2], [20, 3], [30, 4], [40, 5], [50, 6], [60, 7], [70, 8]";
+
+Driver read(const std::string& text, const std::vector<std::string>& groups, const std::vector<int>& largest) {
+  return fixtures::readMap(text, [&](rail::YamlReader reader) { return Driver::read(reader, groups, largest); });
+}
+
+/// Notches of a group at the given times after a drive in macro steps along a place that does not change.
+std::vector<int> notchesAt(const Driver& driver, std::size_t group, const std::vector<rail::Nanoseconds>& times) {
+  Driver::State state;
+  std::vector<int> notches;
+  std::size_t next = 0;
+  for (rail::Nanoseconds t = 0; next < times.size(); t += kStep) {
+    driver.observe(t, 3000.0, state);
+    if (t == times[next]) {
+      notches.push_back(driver.notch(group, t, state));
+      ++next;
+    }
+  }
+  return notches;
+}
+
+TEST(DriverTest, PapersDriverStartsInNotch1AddsOneEvery10SecondsAndStaysIn8From70SecondsOn) {
+  const Driver driver = fixtures::makeDriver(kPaperNotches);
+  std::vector<rail::Nanoseconds> times;
+  for (int i = 0; i <= 20; ++i) times.push_back(i * 5 * kSecond);
+  EXPECT_EQ(notchesAt(driver, 0, times),
+            (std::vector<int>{1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 8, 8, 8, 8, 8}));
+}
+
+TEST(DriverTest, NotchChangesInTheStepThatStartsAtItsTimeExactly) {
+  const Driver driver = fixtures::makeDriver(kPaperNotches);
+  EXPECT_EQ(notchesAt(driver, 0, {10 * kSecond - kStep, 10 * kSecond}), (std::vector<int>{1, 2}));
+}
+
+TEST(DriverTest, BeforeTheFirstEntryTheNotchIsZero) {
+  const Driver driver = fixtures::makeDriver("[1, 4]");
+  EXPECT_EQ(notchesAt(driver, 0, {0, kSecond - kStep, kSecond}), (std::vector<int>{0, 0, 4}));
+}
+
+TEST(DriverTest, OverPlaceTheNotchChangesOnceTheLeadingLocomotiveIsThere) {
+  const Driver driver = fixtures::makeDriver("[3.0, 2], [3.15, 5], [3.3, 0]", "place");
+  const auto notchAt = [&](double location_m) {
+    Driver::State state;
+    driver.observe(0, location_m, state);
+    return driver.notch(0, 0, state);
+  };
+  EXPECT_EQ(notchAt(2999.999), 0);
+  EXPECT_EQ(notchAt(3000.0), 2);
+  EXPECT_EQ(notchAt(3149.999), 2);
+  EXPECT_EQ(notchAt(3150.0), 5);
+  EXPECT_EQ(notchAt(3300.0), 0);
+}
+
+const std::string kGroups =
+    "{over: time, notches: [[0, 1], [10, 4], [20, 8], [30, 0]], groups: {lead: {follows: lead}, "
+    "late: {follows: lead, delay_s: 2.5}, lower: {follows: lead, notch_offset: -3}, "
+    "higher: {follows: lead, notch_offset: 2}, idle: {notch: 0}, fixed: {notch: 5}}}";
+const std::vector<std::string> kNames = {"lead", "late", "lower", "higher", "idle", "fixed"};
+
+Driver driverOfSixGroups() { return read(kGroups, kNames, {8, 8, 8, 8, 8, 8}); }
+
+TEST(DriverGroupTest, DelayedGroupFollowsExactlySoMuchLater) {
+  const rail::Nanoseconds change = 12 * kSecond + kSecond / 2;
+  EXPECT_EQ(notchesAt(driverOfSixGroups(), 1, {0, 5 * kSecond, change - kStep, change, 25 * kSecond, 35 * kSecond}),
+            (std::vector<int>{0, 1, 1, 4, 8, 0}));
+}
+
+TEST(DriverGroupTest, GroupANumberOfNotchesLowerNeverGoesBelowZero) {
+  EXPECT_EQ(notchesAt(driverOfSixGroups(), 2, {0, 10 * kSecond, 20 * kSecond, 30 * kSecond}),
+            (std::vector<int>{0, 1, 5, 0}));
+}
+
+TEST(DriverGroupTest, GroupANumberOfNotchesHigherStopsAtItsLargestAndIdlesWithTheLead) {
+  EXPECT_EQ(notchesAt(driverOfSixGroups(), 3, {0, 10 * kSecond, 20 * kSecond, 30 * kSecond}),
+            (std::vector<int>{3, 6, 8, 0}));
+}
+
+TEST(DriverGroupTest, FixedGroupsDoNotCareAboutTheLead) {
+  const Driver driver = driverOfSixGroups();
+  EXPECT_EQ(notchesAt(driver, 4, {0, 20 * kSecond}), (std::vector<int>{0, 0}));
+  EXPECT_EQ(notchesAt(driver, 5, {0, 20 * kSecond, 30 * kSecond}), (std::vector<int>{5, 5, 5}));
+}
+
+TEST(DriverGroupTest, DelayCountsFromTheChangeWhenDrivingOverPlace) {
+  const Driver driver = read(
+      "{over: place, notches: [[3.0, 1], [3.1, 6]], groups: {lead: {follows: lead}, late: {follows: lead, delay_s: "
+      "1}}}",
+      {"lead", "late"}, {8, 8});
+  Driver::State state;
+  driver.observe(0, 3000.0, state);
+  driver.observe(7 * kSecond, 3100.0, state);
+  EXPECT_EQ(driver.notch(0, 7 * kSecond, state), 6);
+  EXPECT_EQ(driver.notch(1, 8 * kSecond - kStep, state), 1);
+  EXPECT_EQ(driver.notch(1, 8 * kSecond, state), 6);
+}
+
+TEST(DriverGroupTest, StateRemembersChangesNotSteps) {
+  const Driver driver = fixtures::makeDriver(kPaperNotches);
+  Driver::State state;
+  for (rail::Nanoseconds t = 0; t < 25 * kSecond; t += kStep) driver.observe(t, 0.0, state);
+  EXPECT_EQ(state.size(), 3u);
+}
+
+std::string csvDriver(const std::string& over, const std::vector<std::string>& lines) {
+  std::string text = "over: " + over + "\ngroups: {lead: {follows: lead}}\nnotches_table: |\n";
+  for (const std::string& line : lines) text += "  " + line + "\n";
+  return text;
+}
+
+TEST(DriverCsvTest, ReadsNotchesOverTimeAndOverPlace) {
+  const Driver over_time = read(csvDriver("time", {"time_s,notch", "0,1", "10,2"}), {"lead"}, {8});
+  EXPECT_EQ(notchesAt(over_time, 0, {10 * kSecond - kStep, 10 * kSecond}), (std::vector<int>{1, 2}));
+  const Driver over_place = read(csvDriver("place", {"notch,location_km", "3,3.0"}), {"lead"}, {8});
+  Driver::State state;
+  over_place.observe(0, 3000.0, state);
+  EXPECT_EQ(over_place.notch(0, 0, state), 3);
+}
+
+void expectFault(const std::string& text, const std::vector<std::string>& parts) {
+  const auto faults =
+      fixtures::faultsIn(text, [](rail::YamlReader reader) { return Driver::read(reader, {"lead"}, {8}); });
+  EXPECT_EQ(faults.size(), 1u) << fixtures::joined(faults);
+  EXPECT_TRUE(fixtures::anyHas(faults, parts)) << fixtures::joined(faults);
+}
+
+TEST(DriverReadTest, RefusesABadCsvWithTheLineNumber) {
+  expectFault(csvDriver("time", {"time_s,notch", "0,1", "0,2"}), {"line 3", "after the entry before"});
+  expectFault(csvDriver("time", {"time_s,notch", "0,1", "10,9"}), {"line 3", "whole notch from 0 to 8"});
+  expectFault(csvDriver("time", {"time_s,notch", "0,1.5"}), {"line 2", "whole notch from 0 to 8"});
+  expectFault(csvDriver("time", {"location_km,notch", "0,1"}).replace(6, 4, "tide"), {"over = tide", "time, place"});
+  expectFault(csvDriver("time", {"time_s,notch", "0,1"}) + "notches: [[0, 1]]\n", {"notches", "beside notches_table"});
+}
+
+TEST(DriverReadTest, RefusesBadNotches) {
+  const std::string rest = ", groups: {lead: {follows: lead}}}";
+  expectFault("{over: time, notches: []" + rest, {"notches", "at least one entry"});
+  expectFault("{over: time, notches: [[0, 1], [10]]" + rest, {"notches.1", "list of 2 numbers"});
+  expectFault("{over: time, notches: [[10, 1], [0, 2]]" + rest, {"notches.1", "after the entry before"});
+  expectFault("{over: time, notches: [[0, -1]]" + rest, {"notches.0", "-1", "whole notch"});
+  expectFault("{over: time" + rest, {"notches", "is missing"});
+}
+
+TEST(DriverReadTest, RefusesBadGroups) {
+  const std::string begin = "{over: time, notches: [[0, 1]], groups: ";
+  expectFault(begin + "{}}", {"groups.lead", "is missing"});
+  expectFault(begin + "{lead: {follows: lead}, remote: {follows: lead}}}", {"groups.remote", "unknown key"});
+  expectFault(begin + "{lead: {follows: remote}}}", {"groups.lead.follows = remote", "lead"});
+  expectFault(begin + "{lead: {notch: 9}}}", {"groups.lead.notch = 9", "<= 8"});
+  expectFault(begin + "{lead: {follows: lead, delay_s: -1}}}", {"groups.lead.delay_s = -1", ">= 0"});
+  expectFault(begin + "{lead: {follows: lead, notch_offset: -9}}}", {"groups.lead.notch_offset = -9"});
+  expectFault(begin + "{lead: {notch: 0, follows: lead}}}", {"groups.lead.follows"});
+}
+
+}  // namespace

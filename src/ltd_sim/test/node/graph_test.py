@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""Whole runs through the graph: the same bits as offline, faults by name, good endings and bags."""
+
+import os
+import signal
+import sys
+import unittest
+
+import rosbag
+import rosunit
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from graph import PAPER, REPO, Graph, outcome_of, run_offline  # noqa: E402
+
+SHORT = "run.end_time_s=8"  # 4000 steps: all locomotives pull, the slack runs out
+
+
+def payload(message):
+    """A message without what differs between sessions: ids and sequence numbers."""
+    message.header.seq = 0
+    if hasattr(message, "id"):
+        message.id.run_id = message.id.epoch = message.id.incarnation = 0
+    return message
+
+
+def bag_payloads(path):
+    with rosbag.Bag(path) as bag:
+        return [
+            (topic, stamp.to_nsec(), payload(message))
+            for topic, message, stamp in bag.read_messages()
+            if topic != "/train/configuration"
+        ]
+
+
+class GraphTest(unittest.TestCase):
+    def setUp(self):
+        self.graph = Graph().__enter__()
+        self.addCleanup(self.graph.__exit__)
+
+    def offline(self, overrides):
+        return run_offline(os.path.join(self.graph.folder, "offline"), overrides)
+
+    def start_all(self, overrides, order=(1, 2, 3), **parameters):
+        self.graph.start_master()
+        train = self.graph.start_train(overrides, **parameters)
+        return train, {i: self.graph.start_loco(i) for i in order}
+
+    def test_the_papers_launch_gives_the_bits_of_the_offline_run_over_the_whole_run(self):
+        launch = self.graph.launch("paper.launch", "model:=1d", "record:=true")
+        self.graph.wait_for_end(launch, 600)
+        outcome = outcome_of(self.graph.out)
+        self.assertEqual(outcome["outcome"], "finished", outcome)
+        self.assertEqual(outcome, self.offline("output.record_exchange=false"))
+
+    def test_locomotives_started_in_another_order_give_the_same_bits_and_the_same_bag(self):
+        overrides = SHORT + " output.record_exchange=true"
+        train, _ = self.start_all(overrides, order=(3, 1, 2))
+        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
+        self.assertEqual(outcome_of(self.graph.out), self.offline(overrides))
+        graph_bag = bag_payloads(os.path.join(self.graph.out, "paper_1d.bag"))
+        offline_bag = bag_payloads(os.path.join(self.graph.folder, "offline", "paper_1d.bag"))
+        self.assertEqual(len(graph_bag), 2 * 401 + 6 * 4000)
+        self.assertEqual(graph_bag, offline_bag)
+
+    def test_a_locomotive_killed_in_the_run_and_started_again_leaves_the_bits_alone(self):
+        train, locos = self.start_all(SHORT, hold="true")
+        for i in (1, 2, 3):
+            self.graph.wait_for_text(locos[i], "joined as incarnation")
+        self.call("RUN_UNTIL_TIME", 3.0)
+        locos[2].send_signal(signal.SIGKILL)
+        self.call("RUN", 0)
+        self.graph.wait_for_text(train, "loco_2 has")  # "... not answered" or "... left": named after a second
+        self.graph.start_loco(2)
+        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
+        self.assertEqual(outcome_of(self.graph.out), self.offline(SHORT))
+
+    def test_a_missing_locomotive_is_named_and_fails_the_run_after_its_deadline(self):
+        train, _ = self.start_all(SHORT + " lock.join_deadline_s=3", order=(1, 2))
+        self.graph.wait_for_text(train, "loco_3 has not joined")
+        self.assertEqual(self.graph.wait_for_end(train), 1)
+        outcome = outcome_of(self.graph.out)
+        self.assertEqual(outcome["outcome"], "failed")
+        self.assertEqual(outcome["reason"], "loco_3 has not joined within 3.0 s")
+
+    def test_a_late_locomotive_is_waited_for(self):
+        train, _ = self.start_all(SHORT, order=(1, 2))
+        self.graph.wait_for_text(train, "loco_3 has not joined")
+        self.graph.start_loco(3)
+        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
+        self.assertEqual(outcome_of(self.graph.out), self.offline(SHORT))
+
+    def test_a_locomotive_that_does_not_answer_fails_the_run_after_its_deadline(self):
+        train, locos = self.start_all("lock.answer_deadline_s=3", hold="true")
+        for i in (1, 2, 3):
+            self.graph.wait_for_text(locos[i], "joined as incarnation")
+        locos[1].send_signal(signal.SIGSTOP)
+        self.addCleanup(locos[1].send_signal, signal.SIGCONT)
+        self.call("RUN", 0)
+        self.assertEqual(self.graph.wait_for_end(train), 1)
+        self.assertRegex(outcome_of(self.graph.out)["reason"], "loco_1 has not answered step .* within 3.0 s")
+
+    def test_a_fourth_locomotive_is_refused_with_the_reason_and_does_not_disturb(self):
+        train, _ = self.start_all(SHORT, order=(1, 2, 3), hold="true")
+        stranger = self.graph.start_loco(4)
+        self.graph.wait_for_text(stranger, "there is no loco_4 in this train, it has 3 locomotives")
+        self.call("RUN", 0)
+        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
+
+    def test_an_interrupt_stops_the_run_in_good_order_and_the_bag_can_be_read(self):
+        train, locos = self.start_all("output.record_exchange=true", hold="true")
+        for i in (1, 2, 3):
+            self.graph.wait_for_text(locos[i], "joined as incarnation")
+        self.call("RUN_UNTIL_TIME", 1.0)
+        train.send_signal(signal.SIGINT)
+        self.assertEqual(self.graph.wait_for_end(train), 3)
+        self.assertEqual(outcome_of(self.graph.out)["outcome"], "stopped")
+        self.assertEqual(len(bag_payloads(os.path.join(self.graph.out, "paper_1d.bag"))), 2 * 51 + 6 * 500)
+
+    def test_stop_through_the_service_stops_the_run_in_good_order(self):
+        train, _ = self.start_all(SHORT, hold="true")
+        self.call("STOP", 0)
+        self.assertEqual(self.graph.wait_for_end(train), 3)
+        self.assertEqual(outcome_of(self.graph.out)["reason"], "stopped through /train/step_lock")
+
+    def test_a_faulty_scenario_ends_the_launch_with_all_problems(self):
+        bad = os.path.join(self.graph.folder, "bad.yaml")
+        with open(PAPER) as file:
+            text = file.read().replace("../", os.path.join(REPO, "config") + "/")
+        with open(bad, "w") as file:
+            file.write(text.replace("macro_step_s", "makro_step_s").replace("start_speed_kmph: 5.0", "start_speed_kmph: -5"))
+        launch = self.graph.launch("scenario.launch", "scenario:=" + bad)
+        self.graph.wait_for_end(launch)
+        for said in (self.graph.text(launch), outcome_of(self.graph.out)["reason"]):
+            self.assertIn("bad.yaml: steps.macro_step_s: is missing", said)
+            self.assertIn("did you mean 'macro_step_s'", said)
+            self.assertIn("bad.yaml: run.start_speed_kmph = -5", said)
+
+    def test_a_wrong_number_of_locomotives_in_the_launch_is_refused_with_the_right_one(self):
+        launch = self.graph.launch("scenario.launch", "scenario:=" + PAPER, "locomotives:=2")
+        self.graph.wait_for_end(launch)
+        self.assertIn("add locomotives:=3", outcome_of(self.graph.out)["reason"])
+
+    def call(self, command, value):
+        """Calls /train/step_lock and waits until it is done, as far as it ends in HELD."""
+        script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "call_step_lock.py")
+        self.assertEqual(self.graph.wait_for_end(self.graph.start([sys.executable, script, command, str(value)])), 0)
+
+
+if __name__ == "__main__":
+    rosunit.unitrun("ltd_sim", "graph_test", GraphTest)

@@ -1,0 +1,198 @@
+#include "ltd_sim/train_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "train_fixtures.hpp"
+
+namespace {
+
+using ltd::TrainModel;
+
+const std::string kResistance =
+    "resistance: {per_mass_N_per_t: 2.943, per_axle_N: 89.2, per_mass_speed_N_per_t_kmph: 0.0306, "
+    "per_speed_squared_N_per_kmph2: 0.122, curving_N_m_per_t: 6116}";
+const std::string kWagon =
+    "vehicle: {name: wagon, mass_kg: 120000, axles: 4, length_m: 15, rotary_mass_kg_per_axle: 750, " + kResistance +
+    "}";
+const std::string kLoco =
+    "vehicle: {name: loco, mass_kg: 134000, axles: 6, length_m: 22, rotary_mass_kg_per_axle: 5000, " + kResistance +
+    ", adhesion_limit: 0.35, traction: {law: limits, notches: 8, largest_force_N: 560.0e3, force_slope_N_s_per_m: 0, "
+    "power_at_rail_W: 4.10e6, rise_N_per_s: 1, fall_N_per_s: 1}}";
+const std::string kCoupler =
+    "coupler: {name: c, slack_m: 0.02, unloading_ratio: 0.45, smoothing_speed_mps: 0.02, loading: "
+    "[{stiffness_N_per_m: 4.0e6}]}";
+const std::string kStiffCoupler =
+    "coupler: {name: stiff, slack_m: 0.0, unloading_ratio: 0.9, smoothing_speed_mps: 0.1, loading: "
+    "[{stiffness_N_per_m: 50.0e6}]}";
+
+std::string locos(int count, const std::string& group) {
+  return "{kind: locomotive, count: " + std::to_string(count) + ", notch_group: " + group + ", " + kLoco + "}";
+}
+std::string wagons(int count, const std::string& coupler = "") {
+  return "{kind: wagon, count: " + std::to_string(count) + ", " + coupler + kWagon + "}";
+}
+std::string trainText(const std::string& groups) {
+  return "train: {name: test, " + kCoupler + ", groups: [" + groups + "]}";
+}
+
+auto reading(bool rotary_inertia) {
+  return [rotary_inertia](rail::YamlReader root) { return TrainModel::read(root.map("train"), rotary_inertia); };
+}
+TrainModel read(const std::string& groups, bool rotary_inertia = false) {
+  return fixtures::readMap(trainText(groups), reading(rotary_inertia));
+}
+
+/// "LWWL": what stands where.
+std::string pattern(const TrainModel& train) {
+  std::string text;
+  for (const rail::Vehicle& vehicle : train.vehicles) text += vehicle.axles == 6 ? 'L' : 'W';
+  for (const ltd::LocoUnit& unit : train.locomotives) EXPECT_EQ(text[unit.vehicle], 'L') << unit.vehicle;
+  EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), 'L')), train.locomotives.size());
+  return text;
+}
+
+TEST(TrainModelTest, CountsVehiclesFromTheHead) {
+  const TrainModel train = read(locos(3, "lead") + "," + wagons(105));
+  EXPECT_EQ(pattern(train), "LLL" + std::string(105, 'W'));
+  EXPECT_EQ(train.coupler_type.size(), 107u);
+  EXPECT_EQ(train.coupler_distance_m.size(), 107u);
+  EXPECT_DOUBLE_EQ(train.grossMass_t(), 13002.0);
+}
+
+TEST(TrainModelTest, LocomotivesMayStandAnywhereInNotchGroupsOfTheirOwn) {
+  const TrainModel train = read(wagons(1) + "," + locos(1, "lead") + "," + wagons(2) + "," + locos(2, "remote") + "," +
+                                wagons(1) + "," + locos(1, "lead"));
+  EXPECT_EQ(pattern(train), "WLWWLLWL");
+  EXPECT_EQ(train.notch_groups, (std::vector<std::string>{"lead", "remote"}));
+  ASSERT_EQ(train.locomotives.size(), 4u);
+  const std::size_t vehicle[] = {1, 4, 5, 7}, group[] = {0, 1, 1, 0}, type[] = {0, 1, 1, 2};
+  const char* const key[] = {"train.groups.1.vehicle", "train.groups.3.vehicle", "train.groups.3.vehicle",
+                             "train.groups.5.vehicle"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(train.locomotives[i].vehicle, vehicle[i]);
+    EXPECT_EQ(train.locomotives[i].notch_group, group[i]);
+    EXPECT_EQ(train.locomotives[i].type, type[i]);
+    EXPECT_EQ(train.locomotives[i].key, key[i]);
+    EXPECT_EQ(train.locomotives[i].adhesion_limit, 0.35);
+  }
+}
+
+TEST(TrainModelTest, RepeatsNestedGroupsWithTheirLocomotives) {
+  const std::string pair = "{repeat: 2, groups: [" + wagons(1) + "," + locos(1, "mid") + "]}";
+  const TrainModel train =
+      read(locos(1, "lead") + ",{repeat: 3, groups: [" + wagons(2) + "," + pair + "]}," + wagons(1));
+  EXPECT_EQ(pattern(train),
+            "L"
+            "WWWLWL"
+            "WWWLWL"
+            "WWWLWL"
+            "W");
+  const std::size_t vehicle[] = {0, 4, 6, 10, 12, 16, 18};
+  ASSERT_EQ(train.locomotives.size(), 7u);
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(train.locomotives[i].vehicle, vehicle[i]);
+  EXPECT_EQ(train.locomotives.back().key, "train.groups.1.groups.1.groups.1.vehicle");
+  EXPECT_EQ(train.inertial_mass_kg.size(), train.vehicles.size());
+  EXPECT_EQ(train.coupler_type.size() + 1, train.vehicles.size());
+}
+
+TEST(TrainModelTest, NeighboursAreHalfTheirLengthsApart) {
+  const TrainModel train = read(locos(2, "lead") + "," + wagons(2));
+  EXPECT_EQ(train.coupler_distance_m, (std::vector<double>{22.0, 18.5, 15.0}));
+}
+
+TEST(TrainModelTest, CountsRotaryInertiaOnlyIfAsked) {
+  const std::string groups = locos(1, "lead") + "," + wagons(1);
+  EXPECT_EQ(read(groups, false).inertial_mass_kg, (std::vector<double>{134000.0, 120000.0}));
+  EXPECT_EQ(read(groups, true).inertial_mass_kg, (std::vector<double>{134000.0 + 6 * 5000, 120000.0 + 4 * 750}));
+  EXPECT_DOUBLE_EQ(read(groups, true).grossMass_t(), 254.0);  // weight has no rotary part
+}
+
+TEST(TrainModelTest, AGroupsOwnCouplerIsTheOneBehindEachOfItsVehicles) {
+  const TrainModel train = read(locos(1, "lead") + "," + wagons(2, kStiffCoupler + ", ") + "," + wagons(2));
+  ASSERT_EQ(train.coupler_type.size(), 4u);
+  const double slack_m[] = {0.02, 0.0, 0.0, 0.02};
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(train.coupler_types[train.coupler_type[i]].parameters().slack_m, slack_m[i]) << i;
+}
+
+void expectFault(const std::string& groups, const std::vector<std::string>& parts) {
+  const std::vector<std::string> faults = fixtures::faultsIn(trainText(groups), reading(false));
+  EXPECT_EQ(faults.size(), 1u) << fixtures::joined(faults);
+  EXPECT_TRUE(fixtures::anyHas(faults, parts)) << fixtures::joined(faults);
+}
+
+TEST(TrainModelTest, RefusesTrainsThatCannotBe) {
+  expectFault("", {"train.groups", "at least one group"});
+  expectFault(wagons(3), {"train.groups", "at least one locomotive"});
+  expectFault(locos(1, "lead") + "," + wagons(0), {"train.groups.1.count = 0"});
+  expectFault(locos(1, "lead") + ",{repeat: 2, groups: []}", {"train.groups.1.groups", "at least one group"});
+  expectFault("{kind: tender, count: 1, " + kWagon + "}," + locos(1, "lead"), {"kind = tender", "locomotive, wagon"});
+  expectFault("{kind: locomotive, count: 1, " + kLoco + "}", {"train.groups.0.notch_group", "is missing"});
+  expectFault(locos(1, "lead") + ",{kind: wagon, count: 1, notch_group: lead, " + kWagon + "}",
+              {"train.groups.1.notch_group", "unknown key"});
+  expectFault("{kind: wagon, count: 1, " + kLoco + "}," + locos(1, "lead"), {"train.groups.0.vehicle.adhesion_limit"});
+}
+
+TEST(TrainModelTest, RefusesTooManyVehiclesOnceAndWithoutBuildingThem) {
+  expectFault(locos(1, "lead") + "," + wagons(3000) + "," + wagons(3000), {"train.groups.2.count", "5000"});
+  expectFault(locos(1, "lead") + ",{repeat: 5000, groups: [{repeat: 5000, groups: [" + wagons(1) + "]}]}",
+              {"train.groups.1.repeat", "5000"});
+}
+
+/// Five equal wagons behind a heavier locomotive, whose force is the design force.
+TrainModel equalWagons(double mass_kg, ltd::Coupler::Parameters coupler) {
+  std::vector<rail::Vehicle> vehicles(6, fixtures::freeVehicle(mass_kg));
+  vehicles.front().mass_kg = 1e9;
+  return fixtures::makeTrain(vehicles, {0}, coupler);
+}
+
+TEST(StepBoundTest, FrictionAloneGivesMassTimesSmoothingSpeedOverFriction) {
+  ltd::Coupler::Parameters coupler = fixtures::draftGear();
+  coupler.loading = {{0.0, 1.0}};  // 1 N/m: nothing beside the friction
+  for (const double mass_kg : {120e3, 22e3}) {
+    const double friction_only_s = mass_kg * 0.02 / ((1.0 - 0.45) * 1.38e6);
+    const ltd::StepBound bound = computeStepBound(equalWagons(mass_kg, coupler), 1.38e6);
+    EXPECT_NEAR(bound.largest_step_s, friction_only_s, 1e-6 * friction_only_s);
+    EXPECT_EQ(bound.vehicle, 1u);  // the first of the equal ones between two couplers
+  }
+}
+
+TEST(StepBoundTest, StiffnessAloneGivesTheStabilityLimitOfTheChainsHighestFrequency) {
+  // omega^2 <= 2 (k + k)/m, and semi-implicit Euler is stable up to omega H = 2: H = sqrt(m/k).
+  const ltd::StepBound bound = computeStepBound(equalWagons(120e3, fixtures::linearSpring(30e6)), 1e6);
+  EXPECT_NEAR(bound.largest_step_s, std::sqrt(120e3 / 30e6), 1e-12);
+}
+
+TEST(StepBoundTest, PapersCouplersBear3Point2MillisecondsLoadedAndPoint58Empty) {
+  // The figures of the friction alone at 1.38 MN are 3.16 and 0.58 ms; the draft gear's 30 MN/m takes 2 % more of the
+  // first and 0.4 % of the second: half a percent is the rounding of the figures.
+  const double loaded_s = computeStepBound(equalWagons(120e3, fixtures::draftGear()), 1.38e6).largest_step_s;
+  const double empty_s = computeStepBound(equalWagons(22e3, fixtures::draftGear()), 1.38e6).largest_step_s;
+  EXPECT_NEAR(loaded_s, 3.16e-3, 0.03 * 3.16e-3);
+  EXPECT_NEAR(empty_s, 0.58e-3, 0.01 * 0.58e-3);
+  EXPECT_LT(loaded_s, 120e3 * 0.02 / (0.55 * 1.38e6));  // stiffness only makes it shorter
+}
+
+TEST(StepBoundTest, TheLightestVehicleSetsItAndRotaryInertiaCounts) {
+  TrainModel train = equalWagons(120e3, fixtures::draftGear());
+  train.inertial_mass_kg[3] = 22e3;
+  EXPECT_EQ(computeStepBound(train, 1.38e6).vehicle, 3u);
+  const double before_s = computeStepBound(train, 1.38e6).largest_step_s;
+  train.inertial_mass_kg[3] = 44e3;
+  EXPECT_GT(computeStepBound(train, 1.38e6).largest_step_s, 1.9 * before_s);
+}
+
+TEST(StepBoundTest, ASingleVehicleBearsAnyStep) {
+  const TrainModel train = fixtures::makeTrain({fixtures::paperLoco()}, {0}, fixtures::draftGear());
+  EXPECT_TRUE(std::isinf(computeStepBound(train, 1e6).largest_step_s));
+}
+
+TEST(StepBoundTest, DesignForceIsTheSumOfTractionsAfterAdhesion) {
+  const TrainModel train = read(locos(3, "lead") + "," + wagons(2));
+  EXPECT_NEAR(computeDesignCouplerForce(train), 3 * 0.35 * 134e3 * 9.81, 1e-6);  // 1.38 MN: adhesion is below 560 kN
+  TrainModel grippy = train;
+  for (ltd::LocoUnit& unit : grippy.locomotives) unit.adhesion_limit = 0.9;
+  EXPECT_NEAR(computeDesignCouplerForce(grippy), 3 * 560e3, 1e-6);
+}
+
+}  // namespace
