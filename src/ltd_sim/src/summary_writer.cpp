@@ -12,13 +12,14 @@ SummaryWriter::SummaryWriter(const Scenario& scenario, const std::string& path)
       lead_(scenario.train.locomotives.front().vehicle) {}
 
 void SummaryWriter::onStart(const TrainState& state) {
-  started_ = std::chrono::steady_clock::now();
   const std::vector<double>& locations_m = scenario_.output.report_locations_m;
   while (next_location_ < locations_m.size() && locations_m[next_location_] <= state.s_m[lead_])
     reportLocos(locations_m[next_location_++], 1.0, state, state);
 }
 
 void SummaryWriter::onStep(const StepRecord& record) {
+  if (steps_ == 0) started_ = std::chrono::steady_clock::now();  // joining takes as long as it takes
+  ++steps_;
   noteStepUse(record.forces);
   const std::vector<double>& locations_m = scenario_.output.report_locations_m;
   const double s0 = record.before.s_m[lead_];
@@ -60,6 +61,12 @@ void SummaryWriter::runRow(const std::string& quantity, const std::string& unit,
   file_.row({scenario_.locomotive_model, "", quantity, unit, "", allDigits(value)});
 }
 
+double SummaryWriter::realTimeFactor() const {
+  if (steps_ < 2) return 0.0;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started_;
+  return static_cast<double>(steps_ - 1) * rail::toSeconds(scenario_.macro_step) / wall.count();
+}
+
 void SummaryWriter::onEnd(const TrainState& state, const Outcome&) {
   const rail::EnergyAccount& a = state.account;
   runRow("account_traction_rail", "J", a.traction_rail);
@@ -81,9 +88,7 @@ void SummaryWriter::onEnd(const TrainState& state, const Outcome&) {
   runRow("largest_buff", "N", largest_buff_N_);
   runRow("largest_step_use", "1", largest_step_use_);
   runRow("rotary_inertia", "1", scenario_.rotary_inertia ? 1.0 : 0.0);
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started_;
-  const double simulated_s = static_cast<double>(state.step) * rail::toSeconds(scenario_.macro_step);
-  runRow("real_time_factor", "1", wall.count() > 0.0 ? simulated_s / wall.count() : 0.0);
+  runRow("real_time_factor", "1", realTimeFactor());
   file_.flush();
 }
 

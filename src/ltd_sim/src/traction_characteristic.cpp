@@ -16,6 +16,7 @@ void checkTable(const rail::CsvTable& table, const std::string& file, rail::Prob
     problems.add(file, "line " + std::to_string(table.line_of_row[row]) + ": " + table.columns[column],
                  std::to_string(table.rows[row][column]), rule);
   };
+  if (table.columns.size() < 2) problems.add(file, "line 1", "must have a column notch_1_N");
   if (table.rows.size() < 2) problems.add(file, "speed_kmph", "must have at least two rows");
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     if (i == 0 && table.rows[i][0] != 0.0) refuse(i, 0, "must start at 0 km/h");

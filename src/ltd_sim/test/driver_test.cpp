@@ -140,7 +140,6 @@ TEST(DriverReadTest, RefusesABadCsvWithTheLineNumber) {
   expectFault(csvDriver("time", {"time_s,notch", "0,1", "0,2"}), {"line 3", "after the entry before"});
   expectFault(csvDriver("time", {"time_s,notch", "0,1", "10,9"}), {"line 3", "whole notch from 0 to 8"});
   expectFault(csvDriver("time", {"time_s,notch", "0,1.5"}), {"line 2", "whole notch from 0 to 8"});
-  expectFault(csvDriver("time", {"location_km,notch", "0,1"}).replace(6, 4, "tide"), {"over = tide", "time, place"});
   expectFault(csvDriver("time", {"time_s,notch", "0,1"}) + "notches: [[0, 1]]\n", {"notches", "beside notches_table"});
 }
 
@@ -151,6 +150,7 @@ TEST(DriverReadTest, RefusesBadNotches) {
   expectFault("{over: time, notches: [[10, 1], [0, 2]]" + rest, {"notches.1", "after the entry before"});
   expectFault("{over: time, notches: [[0, -1]]" + rest, {"notches.0", "-1", "whole notch"});
   expectFault("{over: time" + rest, {"notches", "is missing"});
+  expectFault("{over: tide, notches: [[0, 1]]" + rest, {"over = tide", "time, place"});
 }
 
 TEST(DriverReadTest, RefusesBadGroups) {

@@ -126,16 +126,21 @@ TEST(TrainModelTest, RefusesTrainsThatCannotBe) {
   expectFault(wagons(3), {"train.groups", "at least one locomotive"});
   expectFault(locos(1, "lead") + "," + wagons(0), {"train.groups.1.count = 0"});
   expectFault(locos(1, "lead") + ",{repeat: 2, groups: []}", {"train.groups.1.groups", "at least one group"});
-  expectFault("{kind: tender, count: 1, " + kWagon + "}," + locos(1, "lead"), {"kind = tender", "locomotive, wagon"});
   expectFault("{kind: locomotive, count: 1, " + kLoco + "}", {"train.groups.0.notch_group", "is missing"});
   expectFault(locos(1, "lead") + ",{kind: wagon, count: 1, notch_group: lead, " + kWagon + "}",
               {"train.groups.1.notch_group", "unknown key"});
-  expectFault("{kind: wagon, count: 1, " + kLoco + "}," + locos(1, "lead"), {"train.groups.0.vehicle.adhesion_limit"});
+}
+
+TEST(TrainModelTest, RefusesAKindThatDoesNotExistAndTractionOfAWagon) {
+  const auto faults = fixtures::faultsIn(
+      trainText("{kind: tender, count: 1, " + kWagon + "}, {kind: wagon, count: 1, " + kLoco + "}"), reading(false));
+  EXPECT_TRUE(fixtures::anyHas(faults, {"train.groups.0.kind = tender", "locomotive, wagon"}));
+  EXPECT_TRUE(fixtures::anyHas(faults, {"train.groups.1.vehicle.adhesion_limit = 0.35", "unknown key"}));
 }
 
 TEST(TrainModelTest, RefusesTooManyVehiclesOnceAndWithoutBuildingThem) {
   expectFault(locos(1, "lead") + "," + wagons(3000) + "," + wagons(3000), {"train.groups.2.count", "5000"});
-  expectFault(locos(1, "lead") + ",{repeat: 5000, groups: [{repeat: 5000, groups: [" + wagons(1) + "]}]}",
+  expectFault(locos(1, "lead") + ",{repeat: 5000, groups: [{repeat: 10, groups: [" + wagons(1) + "]}]}",
               {"train.groups.1.repeat", "5000"});
 }
 

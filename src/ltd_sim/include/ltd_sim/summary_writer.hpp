@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 #include "ltd_sim/csv_file.hpp"
@@ -23,6 +24,7 @@ class SummaryWriter : public RunObserver {
   void reportLocos(double location_m, double w, const TrainState& before, const TrainState& after);
   void runRow(const std::string& quantity, const std::string& unit, double value);
   void noteStepUse(const TrainForces& forces);
+  double realTimeFactor() const;
 
   const Scenario& scenario_;
   CsvFile file_;
@@ -30,7 +32,8 @@ class SummaryWriter : public RunObserver {
   std::size_t next_location_ = 0;
   double largest_step_use_ = 0.0;
   double largest_draft_N_ = 0.0, largest_buff_N_ = 0.0;
-  std::chrono::steady_clock::time_point started_;
+  std::uint64_t steps_ = 0;
+  std::chrono::steady_clock::time_point started_;  ///< end of the first step
 };
 
 }  // namespace ltd

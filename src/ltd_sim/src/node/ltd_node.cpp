@@ -1,5 +1,6 @@
 #include "ltd_node.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <random>
 
@@ -101,7 +102,7 @@ bool LtdNode::onStepLock(train_msgs::StepLock::Request& request, train_msgs::Ste
 void LtdNode::onTraction(const train_msgs::LocoTraction& msg) {
   const std::lock_guard<std::mutex> guard(mutex_);
   lock_.onTraction(fromMsg(msg));
-  news_.notify_one();
+  if (cosimulation_ && advance()) news_.notify_one();
 }
 
 RunControl::Situation LtdNode::situation() const {
@@ -115,7 +116,11 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
   cosimulation_->start();
   while (!cosimulation_->outcome().ended()) {
     watch(interrupted);
-    if (!cosimulation_->outcome().ended()) advance(guard);
+    advance();
+    if (cosimulation_->outcome().ended()) break;
+    const double pace_s = control_.paceWait(situation(), wallNow());
+    news_.wait_for(guard,
+                   std::chrono::duration<double>(pace_s > 0.0 ? std::min(pace_s, kLongestWait_s) : kLongestWait_s));
   }
   publishStatus();
   const Outcome& outcome = cosimulation_->outcome();
@@ -130,20 +135,23 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
   return outcome.exitStatus();
 }
 
-void LtdNode::advance(std::unique_lock<std::mutex>& guard) {
-  const auto wait = [&](double longest_s) { news_.wait_for(guard, std::chrono::duration<double>(longest_s)); };
-  if (cosimulation_->stepUnderWay()) {
-    if (!cosimulation_->tryCommit()) wait(kLongestWait_s);
-    return;
-  }
-  const bool ready = first_step_wall_s_ >= 0.0 || lock_.allJoined();
-  if (ready && control_.mayBegin(situation(), wallNow())) {
-    if (first_step_wall_s_ < 0.0) first_step_wall_s_ = wallNow();
+/// Commits and begins steps as far as answers and commands allow. @return true if run() has something to do now.
+bool LtdNode::advance() {
+  while (!cosimulation_->outcome().ended()) {
+    if (cosimulation_->stepUnderWay()) {
+      if (!cosimulation_->tryCommit()) return false;
+      continue;
+    }
+    const bool ready = first_step_wall_s_ >= 0.0 || lock_.allJoined();
+    const double now_s = wallNow();
+    if (!ready || !control_.mayBegin(situation(), now_s)) return true;
+    if (first_step_wall_s_ < 0.0) {
+      first_step_wall_s_ = now_s;
+      ROS_INFO("all %zu locomotives have joined, %s starts", lock_.size(), scenario_.name.c_str());
+    }
     cosimulation_->begin();
-    return;
   }
-  const double pace_s = control_.paceWait(situation(), wallNow());
-  wait(pace_s > 0.0 ? std::min(pace_s, kLongestWait_s) : kLongestWait_s);
+  return true;
 }
 
 void LtdNode::watch(const volatile std::sig_atomic_t& interrupted) {

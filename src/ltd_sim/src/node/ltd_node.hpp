@@ -27,6 +27,10 @@ namespace ltd {
 
 /// The train as a ROS node: owns time, train and lock; see docs/cosimulation.md. Runs one scenario and ends.
 ///
+/// An answer that completes a step is worked up at once in the thread that received it: that thread commits the step
+/// and sends the next one, without a change of thread in between. The thread of run() watches deadlines, commands and
+/// signals.
+///
 /// Publishes /loco_i/force, /train/state, /train/energy, /train/status, /train/configuration, /clock, /diagnostics;
 /// subscribes /loco_i/traction; serves /train/join and /train/step_lock.
 class LtdNode {
@@ -48,7 +52,7 @@ class LtdNode {
   bool onStepLock(train_msgs::StepLock::Request& request, train_msgs::StepLock::Response& response);
   void onTraction(const train_msgs::LocoTraction& msg);
   RunControl::Situation situation() const;
-  void advance(std::unique_lock<std::mutex>& guard);
+  bool advance();
   void watch(const volatile std::sig_atomic_t& interrupted);
   std::uint8_t phase() const;
   void publishStatus();

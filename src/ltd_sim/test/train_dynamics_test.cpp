@@ -1,0 +1,275 @@
+#include "ltd_sim/train_dynamics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "train_fixtures.hpp"
+
+namespace {
+
+using fixtures::Rig;
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// n vehicles of equal mass without resistance, the first one a locomotive.
+ltd::TrainModel freeTrain(std::size_t n, double mass_kg, const ltd::Coupler::Parameters& coupler) {
+  return fixtures::makeTrain(std::vector<rail::Vehicle>(n, fixtures::freeVehicle(mass_kg)), {0}, coupler);
+}
+
+TEST(TrainDynamicsTest, StartsInMidSlackWithTheLeadingLocomotiveAtItsPlace) {
+  std::vector<rail::Vehicle> vehicles = {fixtures::paperWagon(), fixtures::paperLoco(), fixtures::paperLoco(),
+                                         fixtures::paperWagon()};
+  Rig rig(fixtures::makeTrain(vehicles, {1, 2}, fixtures::draftGear()), fixtures::makeTrack(), 0.002, 3000.0, 2.0);
+  EXPECT_EQ(rig.state.s_m, (std::vector<double>{3018.5, 3000.0, 2978.0, 2959.5}));
+  EXPECT_EQ(rig.state.v_mps, std::vector<double>(4, 2.0));
+  EXPECT_EQ(rig.dynamics.leadingLocation(rig.state), 3000.0);
+  rig.step();
+  for (const ltd::Coupler::Force& coupler : rig.forces.coupler) EXPECT_EQ(coupler.force_N, 0.0);
+}
+
+TEST(TrainDynamicsTest, AtRestOnLevelTrackStaysAtRest) {
+  Rig rig(fixtures::shortPaperTrain(5), fixtures::makeTrack(), 0.002, 3000.0, 0.0);
+  const std::vector<double> s0 = rig.state.s_m;
+  for (int k = 0; k < 1000; ++k) ASSERT_EQ(rig.step(), "");
+  EXPECT_EQ(rig.state.s_m, s0);
+  EXPECT_EQ(rig.state.v_mps, std::vector<double>(6, 0.0));
+}
+
+// Semi-implicit Euler turns x'' = -w^2 x into x_k+1 - 2 x_k + x_k-1 = -(w H)^2 x_k. From rest at x_0 that is
+//   x_k = x_0 cos((k + 1/2) q)/cos(q/2),   cos q = 1 - (w H)^2/2,
+// so the analytic frequency can be checked to round-off whatever the step.
+double oscillation(double omega, double H, int k) {
+  const double q = std::acos(1.0 - 0.5 * omega * H * omega * H);
+  return std::cos((k + 0.5) * q) / std::cos(0.5 * q);
+}
+
+TEST(TrainDynamicsTest, ChainOfSpringsSwingsInItsAnalyticModes) {
+  constexpr int kMasses = 6, kSteps = 5000;
+  constexpr double kMass = 80e3, kStiffness = 10e6, kAmplitude = 0.01, kStep = 0.002;
+  for (int j = 1; j < kMasses; ++j) {
+    Rig rig(freeTrain(kMasses, kMass, fixtures::linearSpring(kStiffness)), fixtures::makeTrack(), kStep, 100.0, 0.0);
+    const std::vector<double> middle = rig.state.s_m;
+    std::vector<double> shape;
+    for (int i = 0; i < kMasses; ++i) shape.push_back(std::cos(j * kPi * (i + 0.5) / kMasses));
+    for (std::size_t i = 0; i < shape.size(); ++i) rig.state.s_m[i] += kAmplitude * shape[i];
+    const double omega = 2.0 * std::sqrt(kStiffness / kMass) * std::sin(j * kPi / (2 * kMasses));
+    for (int k = 1; k <= kSteps; ++k) {
+      ASSERT_EQ(rig.step(), "");
+      for (std::size_t i = 0; i < shape.size(); ++i) {
+        // s is near 100 m: 1.4e-14 m of round-off in each of 5000 steps, amplified by the phase; 1e-9 of the amplitude.
+        ASSERT_NEAR(rig.state.s_m[i] - middle[i], kAmplitude * shape[i] * oscillation(omega, kStep, k), 1e-11)
+            << "mode " << j << " vehicle " << i << " step " << k;
+      }
+    }
+  }
+}
+
+TEST(TrainDynamicsTest, TwoUnequalMassesSwingWithTheirReducedMass) {
+  constexpr double kMass1 = 134e3, kMass2 = 22e3, kStiffness = 10e6, kStep = 0.002;
+  ltd::TrainModel train = freeTrain(2, kMass1, fixtures::linearSpring(kStiffness));
+  train.vehicles[1].mass_kg = train.inertial_mass_kg[1] = kMass2;
+  Rig rig(train, fixtures::makeTrack(), kStep, 100.0, 0.0);
+  rig.state.s_m[0] += 0.01;
+  const double omega = std::sqrt(kStiffness * (1.0 / kMass1 + 1.0 / kMass2));
+  for (int k = 1; k <= 2000; ++k) {
+    ASSERT_EQ(rig.step(), "");
+    const double elongation = rig.state.s_m[0] - rig.state.s_m[1] - 10.0;
+    ASSERT_NEAR(elongation, 0.01 * oscillation(omega, kStep, k), 1e-11) << k;
+  }
+}
+
+TEST(TrainDynamicsTest, AWaveRunsThroughTheSlackAtTheTimesThatGeometryAndElasticImpactsSay) {
+  // A head that nothing can slow down runs at V; every gap is g, every spring k is stiff and without loss. The head
+  // reaches vehicle 1 at g/V. Hit by it, vehicle 1 moves as s = V (t - sin(w t)/w), w^2 = k/m, and leaves at 2V: as if
+  // it had done so from pi/(2w) on. It hits vehicle 2 and hands its whole speed on: s = V (t - sin(w' t)/w'),
+  // w'^2 = 2k/m, and so on down the train. So the first motion of vehicle i is at
+  //   t_1 = g/V,   t_2 = t_1 + pi/(2w) + g/(2V),   t_i+1 = t_i + pi/(2w') + g/(2V).
+  constexpr double kV = 0.1, kGap = 0.010, kMass = 120e3, kStiffness = 4e10, kStep = 1e-5;
+  constexpr std::size_t kVehicles = 7;
+  ltd::TrainModel train = freeTrain(kVehicles, kMass, fixtures::linearSpring(kStiffness, 2.0 * kGap));
+  train.inertial_mass_kg[0] = 1e15;
+  Rig rig(train, fixtures::makeTrack(), kStep, 100.0, 0.0);
+  rig.state.v_mps[0] = kV;
+
+  std::vector<double> started_s(kVehicles, -1.0);
+  for (int k = 0; k < 60000; ++k) {
+    ASSERT_EQ(rig.step(), "");
+    for (std::size_t i = 1; i < kVehicles; ++i) {
+      if (started_s[i] < 0.0 && rig.state.v_mps[i] != 0.0) started_s[i] = k * kStep;
+    }
+  }
+  const double w = std::sqrt(kStiffness / kMass);
+  double expected_s = kGap / kV;
+  for (std::size_t i = 1; i < kVehicles; ++i) {
+    // A step late at each of i impacts, and impacts resolved to (w H)^2 = 3e-5: far below the 53 ms between vehicles.
+    EXPECT_NEAR(started_s[i], expected_s, static_cast<double>(i) * 2.0 * kStep) << "vehicle " << i;
+    expected_s += kPi / (2.0 * (i == 1 ? w : std::sqrt(2.0) * w)) + kGap / (2.0 * kV);
+  }
+}
+
+TEST(TrainDynamicsTest, FreeRollingThroughSlackKeepsItsMomentum) {
+  Rig rig(freeTrain(8, 90e3, fixtures::draftGear()), fixtures::makeTrack(), 0.001, 3000.0, 5.0);
+  for (std::size_t i = 0; i < 8; ++i) rig.state.v_mps[i] += 0.3 * std::sin(2.0 * static_cast<double>(i));
+  const double before = rig.momentum();
+  double largest_N = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    ASSERT_EQ(rig.step(), "");
+    for (const ltd::Coupler::Force& coupler : rig.forces.coupler) largest_N = std::max(largest_N, coupler.force_N);
+  }
+  EXPECT_GT(largest_N, 100e3);                          // it was a run-in, not a train gliding in its slack
+  EXPECT_NEAR(rig.momentum(), before, 1e-12 * before);  // round-off of 20000 additions to each of 8 speeds
+}
+
+TEST(TrainDynamicsTest, MomentumChangesByTheOutsideForcesTimesTheStepInEveryStep) {
+  Rig rig(fixtures::shortPaperTrain(6), fixtures::uniformGrade(4.0), 0.002, 3000.0, 3.0);
+  for (int k = 0; k < 3000; ++k) {
+    const double traction_N = 1e3 * (k % 400);
+    const double before = rig.momentum();
+    ASSERT_EQ(rig.step({traction_N}), "");
+    double outside_N = traction_N;
+    for (std::size_t i = 0; i < rig.train.vehicles.size(); ++i)
+      outside_N += rig.forces.grade_N[i] + rig.forces.propulsion_N[i] + rig.forces.curving_N[i];
+    ASSERT_NEAR(rig.momentum() - before, rig.H * outside_N, 1e-14 * 3e6) << k;  // ulps of 7 x 3e5 N s
+  }
+}
+
+TEST(TrainDynamicsTest, TractionPushesItsOwnLocomotiveForwardAndNobodyElse) {
+  Rig rig(
+      fixtures::makeTrain(std::vector<rail::Vehicle>(5, fixtures::freeVehicle(100e3)), {1, 3}, fixtures::draftGear()),
+      fixtures::makeTrack(), 0.002, 3000.0, 1.0);
+  ASSERT_EQ(rig.step({0.0, 50e3}), "");
+  const double dv = 0.002 * 50e3 / 100e3;
+  EXPECT_EQ(rig.state.v_mps, (std::vector<double>{1.0, 1.0, 1.0, 1.0 + dv, 1.0}));
+  EXPECT_EQ(rig.state.traction_N, (std::vector<double>{0.0, 50e3}));
+  const double work_J = 50e3 * 0.002 * (1.0 + 0.5 * dv);  // Eq. (4) with the mean speed
+  EXPECT_EQ(rig.state.loco_energy[0].rail, 0.0);
+  EXPECT_NEAR(rig.state.loco_energy[1].rail, work_J, 1e-12 * work_J);
+  EXPECT_NEAR(rig.state.account.traction_rail, work_J, 1e-12 * work_J);
+}
+
+TEST(TrainDynamicsTest, LocomotiveIsToldOfTheForcesThatLtdUses) {
+  Rig rig(fixtures::makeTrain(std::vector<rail::Vehicle>(3, fixtures::paperWagon()), {1}, fixtures::draftGear()),
+          fixtures::makeTrack("{from_km: 0, grade_permille: 5}",
+                              "{start_km: 2.5, radius_m: 500, direction: right, transition_in_m: 0, circular_m: 1000, "
+                              "transition_out_m: 0, cant_mm: 0}"),
+          0.002, 3000.0, 4.0);
+  rig.state.s_m[0] += 0.025;  // front coupler 15 mm in draft
+  rig.state.s_m[2] += 0.030;  // rear coupler 20 mm in buff
+  rig.dynamics.updateStoredEnergies(rig.state);
+  rig.dynamics.computeForces(rig.state, rig.forces);
+  loco::LocoForce told;
+  rig.dynamics.fillLocoForce(0, rig.state, rig.forces, told);
+  EXPECT_NEAR(told.coupler_front_N, 0.725 * 60e3, 1e-5);  // + pulls forward; round-off of 3000 m times 4 MN/m
+  EXPECT_NEAR(told.coupler_rear_N, 0.725 * 80e3, 1e-5);   // buff from behind pushes forward
+  EXPECT_NEAR(told.grade_N, -120e3 * 9.81 * 0.005, 1e-9);
+  const double V = 4.0 * 3.6;
+  EXPECT_NEAR(told.propulsion_resistance_N, -(709.96 + 120 * 0.0306 * V + 0.122 * V * V), 1e-9);
+  EXPECT_NEAR(told.curving_resistance_N, -120 * 6116.0 / 500, 1e-9);
+  EXPECT_EQ(told.speed_mps, 4.0);
+  EXPECT_EQ(told.location_m, 3000.0);
+  EXPECT_EQ(told.step, 0u);
+  EXPECT_EQ(told.step_length, 2000000);
+}
+
+TEST(TrainDynamicsTest, ASingleVehicleMovesAsAPointMass) {
+  Rig rig(freeTrain(1, 100e3, fixtures::draftGear()), fixtures::makeTrack(), 0.002, 3000.0, 0.0);
+  for (int k = 0; k < 5000; ++k) ASSERT_EQ(rig.step({50e3}), "");
+  EXPECT_NEAR(rig.state.v_mps[0], 5.0, 1e-11);          // 10 s at 0.5 m/s^2, round-off of 5000 additions
+  EXPECT_NEAR(rig.state.s_m[0], 3025.0 + 0.005, 1e-8);  // semi-implicit: a t (t + H)/2
+  rig.dynamics.updateStoredEnergies(rig.state);
+  EXPECT_NEAR(rig.state.account.kinetic, 0.5 * 100e3 * 25.0, 1e-5);
+  EXPECT_TRUE(rig.forces.coupler.empty());
+}
+
+TEST(TrainDynamicsTest, EachVehicleFeelsItsOwnPlaceOnTheTrack) {
+  // Vehicles 15 m apart from 3000 m backwards; a curve and a grade of 10 m lie around the third at 2970 m.
+  Rig rig(fixtures::makeTrain(std::vector<rail::Vehicle>(5, fixtures::paperWagon()), {0}, fixtures::draftGear()),
+          fixtures::makeTrack("{from_km: 0, grade_permille: 0}, {from_km: 2.965, grade_permille: 8}, "
+                              "{from_km: 2.975, grade_permille: 0}",
+                              "{start_km: 2.965, radius_m: 400, direction: right, transition_in_m: 0, circular_m: 10, "
+                              "transition_out_m: 0, cant_mm: 0}"),
+          0.002, 3000.0, 2.0);
+  ASSERT_EQ(rig.step(), "");
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(rig.forces.curving_N[i], i == 2 ? -120 * 6116.0 / 400 : 0.0, 1e-9) << i;
+    EXPECT_NEAR(rig.forces.grade_N[i], i == 2 ? -120e3 * 9.81 * 0.008 : 0.0, 1e-9) << i;
+    EXPECT_NEAR(rig.forces.propulsion_N[i], rig.forces.propulsion_N[0], 1e-9) << i;
+  }
+}
+
+/// Speeds after a minute behind an idle locomotive from rest.
+std::vector<double> speedsAfterAMinuteOn(double permille) {
+  Rig rig(fixtures::shortPaperTrain(20), fixtures::uniformGrade(permille), 0.002, 3000.0, 0.0);
+  for (int k = 0; k < 30000; ++k) EXPECT_EQ(rig.step(), "");
+  return rig.state.v_mps;
+}
+
+// A wagon's resistance is 709.96 N of 1177.2 kN: it holds up to 0.603 permille; the locomotive up to 0.707.
+TEST(TrainDynamicsTest, TrainStandsOnHalfAPermilleWithoutCreeping) {
+  EXPECT_EQ(speedsAfterAMinuteOn(0.5), std::vector<double>(21, 0.0));
+  EXPECT_EQ(speedsAfterAMinuteOn(-0.5), std::vector<double>(21, 0.0));
+}
+
+TEST(TrainDynamicsTest, TrainRollsAwayOnSevenTenthsOfAPermilleDownhill) {
+  for (const double v_mps : speedsAfterAMinuteOn(0.7)) EXPECT_LT(v_mps, -0.02);
+  for (const double v_mps : speedsAfterAMinuteOn(-0.7)) EXPECT_GT(v_mps, 0.02);
+}
+
+TEST(TrainDynamicsTest, StandingLocomotiveIsHeldAgainstSmallTractionToo) {
+  Rig rig(fixtures::makeTrain({fixtures::paperLoco()}, {0}, fixtures::draftGear()), fixtures::makeTrack(), 0.002,
+          3000.0, 0.0);
+  for (int k = 0; k < 1000; ++k) ASSERT_EQ(rig.step({900.0}), "");  // of 929.6 N
+  EXPECT_LT(std::abs(rig.state.v_mps[0]), 2e-5);  // the first step alone knows no traction yet: 900 N for 2 ms
+  for (int k = 0; k < 1000; ++k) ASSERT_EQ(rig.step({5000.0}), "");
+  EXPECT_GT(rig.state.v_mps[0], 0.05);  // 4 kN for 2 s on 134 t
+}
+
+TEST(TrainDynamicsTest, ANumberThatIsNoneIsCaughtInItsStepWithTheVehiclesName) {
+  Rig rig(fixtures::makeTrain(std::vector<rail::Vehicle>(4, fixtures::paperWagon()), {0, 2}, fixtures::draftGear()),
+          fixtures::makeTrack(), 0.002, 3000.0, 1.0);
+  ASSERT_EQ(rig.step({1e3, 1e3}), "");
+  EXPECT_EQ(rig.step({1e3, std::numeric_limits<double>::quiet_NaN()}), "vehicle 3: its speed is not a number");
+}
+
+TEST(TrainDynamicsTest, StepUseIsTheShareOfTheFrictionsStabilityLimitWithItsVehicle) {
+  // Couplers 0-1 and 1-2 at 90 mm: 1.62 MN. c = 0.275 F/vs each, limit H (c1 + c2)/m = 1.
+  ltd::TrainModel train = freeTrain(4, 120e3, fixtures::draftGear());
+  train.inertial_mass_kg[1] = 22e3;
+  Rig rig(train, fixtures::makeTrack(), 0.001, 3000.0, 1.0);
+  EXPECT_EQ((rig.step(), rig.forces.step_use), 0.0);
+  rig.state.s_m = {3000.09, 2990.0, 2979.91, 2969.91};
+  rig.state.v_mps.assign(4, 1.0);
+  rig.dynamics.computeForces(rig.state, rig.forces);
+  const double use = 0.001 * 2.0 * 0.275 * 1.62e6 / 0.02 / 22e3;
+  EXPECT_NEAR(rig.forces.step_use, use, 1e-6 * use);  // round-off of 3000 m times 80 MN/m
+  EXPECT_GT(rig.forces.step_use, 1.0);
+  EXPECT_EQ(rig.forces.step_use_vehicle, 1u);
+}
+
+TEST(TrainDynamicsTest, ChattersBeyondTheStepBoundAndNotBelow) {
+  // The bound's physics: a coupler held at 1.6 MN by two forces comes to rest below the bound and chatters above.
+  const auto swingAfter = [](double step_s) {
+    ltd::TrainModel train = freeTrain(2, 22e3, fixtures::draftGear());
+    train.locomotives.push_back({1, 0, 0, 0.35, "train"});
+    Rig rig(train, fixtures::makeTrack(), step_s, 3000.0, 1.0);
+    for (int k = 0; k < static_cast<int>(4.0 / step_s); ++k) EXPECT_EQ(rig.step({1.2e6, -1.2e6}), "");
+    return std::abs(rig.state.v_mps[0] - rig.state.v_mps[1]);
+  };
+  const double bound_s = 2.0 * 22e3 * 0.02 / (0.55 * 1.2e6 / 0.725);  // one coupler: half the friction; F is the mean
+  EXPECT_LT(swingAfter(0.6 * bound_s), 1e-6);
+  EXPECT_GT(swingAfter(1.4 * bound_s), 1e-3);
+}
+
+TEST(TrainDynamicsTest, NamesTheVehicleThatLeavesTheTrack) {
+  Rig rig(fixtures::shortPaperTrain(3), fixtures::makeTrack(), 0.002, 3000.0, 1.0);
+  EXPECT_EQ(rig.dynamics.vehicleOffTrack(rig.state), -1);
+  rig.state.s_m[0] = 10000.001;
+  EXPECT_EQ(rig.dynamics.vehicleOffTrack(rig.state), 0);
+  rig.state.s_m[0] = 9999.0;
+  rig.state.s_m[3] = -0.001;
+  EXPECT_EQ(rig.dynamics.vehicleOffTrack(rig.state), 3);
+}
+
+}  // namespace
