@@ -30,9 +30,11 @@ script_files() {
 }
 
 check_format() {
-  local files=()
+  local files=() output
   mapfile -d '' files < <(cpp_files)
-  if ! clang-format --style=file --dry-run --Werror "${files[@]}" 2>&1; then
+  if ! output=$(clang-format --style=file --dry-run --Werror "${files[@]}" 2>&1); then
+    # the places, or what it says if it could not read the style or a file
+    grep -E '\[-Wclang-format-violations\]' <<< "$output" | cut -d: -f1,2 | uniq || echo "$output"
     echo "mend with: clang-format -i FILE   ($(clang-format --version))"
     return 1
   fi

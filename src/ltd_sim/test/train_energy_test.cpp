@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "train_fixtures.hpp"
@@ -10,51 +11,73 @@ namespace {
 
 using fixtures::Rig;
 
-/// A locomotive and eight wagons that bunch, pull away uphill into a curve, and coast.
-rail::EnergyAccount accountOf(double step_s) {
-  // The grade changes while the train is on it; the curve's transitions are 40 m.
-  const rail::Track track =
-      fixtures::makeTrack("{from_km: 0, grade_permille: 0}, {from_km: 2.95, grade_permille: 6}",
-                          "{start_km: 3.01, radius_m: 400, direction: left, transition_in_m: 40, circular_m: 60, "
-                          "transition_out_m: 40, cant_mm: 0}");
-  Rig rig(fixtures::shortPaperTrain(8), track, step_s, 3000.0, 3.0);
-  for (std::size_t i = 0; i < rig.state.v_mps.size(); ++i) rig.state.v_mps[i] += 0.04 * static_cast<double>(i);
-  const int steps = static_cast<int>(std::lround(30.0 / step_s));
-  for (int k = 0; k < steps; ++k) {
-    const double t = k * step_s;
-    EXPECT_EQ(rig.step({std::min(40e3 * t, t < 20.0 ? 300e3 : 0.0)}), "");
+constexpr double kPermille = 6.0;
+
+/// A locomotive and thirty wagons that run in, stretch and pull through a curve for 40 s; steady at the end, where a
+/// swinging coupler would hide the account's order behind that of its stored energy.
+class Journey {
+ public:
+  Journey(double step_s, double permille)
+      : rig_(
+            fixtures::shortPaperTrain(30),
+            fixtures::makeTrack("{from_km: 0, grade_permille: " + std::to_string(permille) + "}",
+                                "{start_km: 3.01, radius_m: 400, direction: left, transition_in_m: 40, circular_m: 60, "
+                                "transition_out_m: 40, cant_mm: 0}"),
+            step_s, 3000.0, 3.0) {
+    for (std::size_t i = 0; i < rig_.state.v_mps.size(); ++i) rig_.state.v_mps[i] += 0.04 * static_cast<double>(i % 5);
+    momentum_start_ = rig_.momentum();
+    const int steps = static_cast<int>(std::lround(40.0 / step_s));
+    for (int k = 0; k < steps; ++k) {
+      EXPECT_EQ(rig_.step({std::min(40e3 * k * step_s, 300e3)}), "");
+    }
+    rig_.dynamics.updateStoredEnergies(rig_.state);
   }
-  rig.dynamics.updateStoredEnergies(rig.state);
-  return rig.state.account;
-}
+  const rail::EnergyAccount& account() const { return rig_.state.account; }
+  double momentumGained() const { return rig_.momentum() - momentum_start_; }
+
+ private:
+  Rig rig_;
+  double momentum_start_ = 0.0;
+};
 
 TEST(TrainEnergyTest, EveryTermOfTheAccountTakesPart) {
-  const rail::EnergyAccount a = accountOf(0.001);
+  const rail::EnergyAccount a = Journey(0.001, kPermille).account();
   EXPECT_GT(a.traction_rail, 1e7);
   EXPECT_GT(a.propulsion_resistance, 1e5);
   EXPECT_GT(a.curving_resistance, 1e5);
   EXPECT_GT(a.coupler_loss, 1e3);
   EXPECT_GT(a.potential - a.potential_start, 1e6);
-  EXPECT_NE(a.coupler_stored, 0.0);
   EXPECT_EQ(a.slip_loss, 0.0);
 }
 
-TEST(TrainEnergyTest, AccountClosesAndItsResidualFallsToAQuarterWithTheStepHalved) {
-  const double at_2ms = std::abs(accountOf(0.002).residualRelative());
-  const double at_1ms = std::abs(accountOf(0.001).residualRelative());
-  const double at_half_ms = std::abs(accountOf(0.0005).residualRelative());
-  RecordProperty("residual_2ms", std::to_string(1e9 * at_2ms));
-  RecordProperty("residual_1ms", std::to_string(1e9 * at_1ms));
-  RecordProperty("residual_half_ms", std::to_string(1e9 * at_half_ms));
-  EXPECT_LT(at_2ms, 1e-6);
-  EXPECT_NEAR(at_2ms / at_1ms, 4.0, 1.0);
+TEST(TrainEnergyTest, AccountClosesOnTheLevelAndItsResidualFallsToAQuarterWithTheStepHalved) {
+  const double at_2ms = Journey(0.002, 0.0).account().residualRelative();
+  const double at_1ms = Journey(0.001, 0.0).account().residualRelative();
+  const double at_half_ms = Journey(0.0005, 0.0).account().residualRelative();
+  EXPECT_LT(std::abs(at_2ms), 1e-6);
+  EXPECT_NEAR(at_2ms / at_1ms, 4.0, 1.0);  // 4.2 and 4.8: where in a step a knot of a coupler is passed is chance
   EXPECT_NEAR(at_1ms / at_half_ms, 4.0, 1.0);
 }
 
+TEST(TrainEnergyTest, OnAGradeTheResidualIsHalfAStepsClimbOfTheSpeedGainedAndNoMore) {
+  // v is that of the middle of the last step, so a place s_k lies H v_k/2 ahead of where works and speeds say: the
+  // height's term of the account is g i H/2 times the momentum gained too large. It does not grow with the distance.
+  double rest[2];
+  const double steps_s[2] = {0.002, 0.001};
+  for (int j = 0; j < 2; ++j) {
+    const Journey journey(steps_s[j], kPermille);
+    const double climb_J = rail::kGravity_mps2 * kPermille / 1000.0 * 0.5 * steps_s[j] * journey.momentumGained();
+    rest[j] = journey.account().residual() + climb_J;
+      EXPECT_LT(std::abs(journey.account().residualRelative()), 2e-5);
+    EXPECT_LT(std::abs(rest[j]), 1e-6 * journey.account().traction_rail);
+  }
+  EXPECT_NEAR(rest[0] / rest[1], 4.0, 1.0);  // what is left is the couplers' as on the level
+}
+
 TEST(TrainEnergyTest, GradeWorkByForceAndByHeightAgree) {
-  const rail::EnergyAccount a = accountOf(0.001);
+  const rail::EnergyAccount a = Journey(0.001, kPermille).account();
   const double by_height = a.potential - a.potential_start;
-  EXPECT_NEAR(a.grade, by_height, 1e-3 * by_height);  // the step in the grade is resolved to v H = 5 mm of 60 m
+  EXPECT_NEAR(a.grade, by_height, 1e-4 * by_height);  // half a step of 1 ms at 3 m/s over 100 m is 1.5e-5
 }
 
 TEST(TrainEnergyTest, CouplerLossIsTheKineticEnergyThatAnInelasticRunInTakes) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <random>
+#include <stdexcept>
 
 #include "bag_writer.hpp"
 #include "conversions.hpp"
@@ -102,7 +103,12 @@ bool LtdNode::onStepLock(train_msgs::StepLock::Request& request, train_msgs::Ste
 void LtdNode::onTraction(const train_msgs::LocoTraction& msg) {
   const std::lock_guard<std::mutex> guard(mutex_);
   lock_.onTraction(fromMsg(msg));
-  if (cosimulation_ && advance()) news_.notify_one();
+  try {
+    if (cosimulation_ && broken_.empty() && advance()) news_.notify_one();
+  } catch (const std::exception& error) {  // an observer cannot write: run() ends with it, this thread is roscpp's
+    broken_ = error.what();
+    news_.notify_one();
+  }
 }
 
 RunControl::Situation LtdNode::situation() const {
@@ -115,6 +121,7 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
   std::unique_lock<std::mutex> guard(mutex_);
   cosimulation_->start();
   while (!cosimulation_->outcome().ended()) {
+    if (!broken_.empty()) throw std::runtime_error(broken_);
     watch(interrupted);
     advance();
     if (cosimulation_->outcome().ended()) break;

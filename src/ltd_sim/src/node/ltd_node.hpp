@@ -75,6 +75,7 @@ class LtdNode {
   std::mutex mutex_;  ///< guards everything above
   std::condition_variable news_;
   std::string said_;
+  std::string broken_;  ///< what an observer could not do, found in the receiving thread
   double next_heartbeat_s_ = 0.0;
   std::uint8_t last_phase_ = 255;
   double first_step_wall_s_ = -1.0;

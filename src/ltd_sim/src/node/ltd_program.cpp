@@ -39,8 +39,8 @@ void checkCount(int launched, const Scenario& scenario) {
                            ": add locomotives:=" + std::to_string(wanted) + " to the roslaunch command");
 }
 
-/// A run that never started leaves its reason where scripts look for it.
-int refuse(const std::string& out, const std::string& reason) {
+/// A run that never started, or broke off (a full disk, say), leaves its reason where scripts look for it.
+int leaveReason(const std::string& out, const std::string& reason, int status) {
   ROS_FATAL("%s", reason.c_str());
   if (!out.empty()) {
     try {
@@ -53,7 +53,7 @@ int refuse(const std::string& out, const std::string& reason) {
       ROS_FATAL("%s", error.what());
     }
   }
-  return 2;
+  return status;
 }
 
 }  // namespace
@@ -61,17 +61,22 @@ int refuse(const std::string& out, const std::string& reason) {
 int runProgram(const volatile std::sig_atomic_t& interrupted) {
   const ros::NodeHandle parameters("~");
   LtdNode::Options options;
+  Scenario scenario;
   try {
     options.out = required(parameters, "out", "folder of the results, absolute");
     options.record = parameters.param("record", true);
     options.hold = parameters.param("hold", false);
     const std::string file = required(parameters, "scenario", "path of the scenario, absolute");
-    const Scenario scenario = Scenario::load(file, readOverrides(parameters.param<std::string>("set", "")));
+    scenario = Scenario::load(file, readOverrides(parameters.param<std::string>("set", "")));
     checkCount(parameters.param("locomotives", 0), scenario);
+  } catch (const std::exception& error) {
+    return leaveReason(options.out, error.what(), 2);
+  }
+  try {
     LtdNode node(scenario, options);
     return node.run(interrupted);
   } catch (const std::exception& error) {
-    return refuse(options.out, error.what());
+    return leaveReason(options.out, error.what(), 1);
   }
 }
 
