@@ -19,6 +19,8 @@ std::string kilometres(double s_m) {
   return text;
 }
 
+std::string nameOf(std::size_t loco) { return "loco_" + std::to_string(loco + 1); }
+
 void mixIn(std::uint64_t& digest, std::uint64_t payload) {
   rail::Digest sum;
   sum.add(digest);
@@ -66,8 +68,9 @@ bool Cosimulation::gatherAnswers() {
 bool Cosimulation::tryCommit() {
   if (!under_way_ || !gatherAnswers()) return false;
   before_ = state_;
-  std::string fault = dynamics_.step(state_, forces_, answers_);
-  if (fault.empty()) fault = checkAnswers();
+  std::string fault = modelFailure();  // first: of an answer that failed nothing else holds
+  if (fault.empty()) fault = dynamics_.step(state_, forces_, answers_);
+  if (fault.empty()) fault = checkSpeeds();
   if (!fault.empty()) {
     state_ = before_;
     end(Outcome::Kind::kFailed,
@@ -87,16 +90,21 @@ bool Cosimulation::tryCommit() {
   return true;
 }
 
-std::string Cosimulation::checkAnswers() {
+std::string Cosimulation::modelFailure() const {
   for (std::size_t i = 0; i < answers_.size(); ++i) {
-    const std::string name = "loco_" + std::to_string(i + 1);
-    if (!answers_[i]->failure.empty()) return name + ": " + answers_[i]->failure;
+    if (!answers_[i]->failure.empty()) return nameOf(i) + ": " + answers_[i]->failure;
+  }
+  return {};
+}
+
+std::string Cosimulation::checkSpeeds() {
+  for (std::size_t i = 0; i < answers_.size(); ++i) {
     const double drift = std::abs(answers_[i]->speed_mps - state_.v_mps[scenario_.train.locomotives[i].vehicle]);
     largest_drift_mps_ = std::max(largest_drift_mps_, drift);
     if (!(drift <= scenario_.lock.synchronisation_tolerance_mps)) {
       char text[160];
       std::snprintf(text, sizeof text, "%s: its speed differs from LTD's by %.3g m/s (synchronisation_tolerance %.3g)",
-                    name.c_str(), drift, scenario_.lock.synchronisation_tolerance_mps);
+                    nameOf(i).c_str(), drift, scenario_.lock.synchronisation_tolerance_mps);
       return text;
     }
   }

@@ -65,7 +65,7 @@ TEST(CosimulationTest, FailsWhenTheLastVehicleRollsBackOffTheTrack) {
 }
 
 TEST(CosimulationTest, StallsWhenTractionDoesNotKeepTheTrainMoving) {
-  // Both locomotives' 920 kN hold 748 t on at most 125 permille: 60 with brakes of friction, so 5.5 kN/t do it.
+  // 2 kN/t of resistance on 748 t is more than the locomotives' 920 kN.
   ltd::Scenario scenario = smallScenario();
   for (rail::Vehicle& vehicle : scenario.train.vehicles) vehicle.resistance.per_mass_N_per_t = 2000.0;
   const fixtures::FinishedRun end = run(scenario);
@@ -84,7 +84,7 @@ TEST(CosimulationTest, StandingWithoutTractionIsNoStall) {
 }
 
 TEST(CosimulationTest, ATrainMayStandUnderTractionForLessThanTheStallTimeTwiceAndStartAgain) {
-  // 20 kN a vehicle: notch 1 (2 x 70 kN) does not move it, notch 8 does. It stands under traction for 15 s and 15 s.
+  // 30 kN a vehicle: notch 1 (2 x 70 kN) does not move it, notch 8 does. It stands under traction for 15 s and 15 s.
   ltd::Scenario scenario = smallScenario();
   for (rail::Vehicle& vehicle : scenario.train.vehicles) vehicle.resistance.per_mass_N_per_t = 30e6 / vehicle.mass_kg;
   scenario.run.start_speed_mps = 0.0;
@@ -231,18 +231,16 @@ TEST(CosimulationDigestTest, TheSameRunHasTheSameDigest) {
 TEST(CosimulationDigestTest, ChangesIfAnyInputChangesInItsLastDigit) {
   const ltd::Scenario scenario = smallScenario();
   const std::uint64_t digest = run(scenario).outcome.exchange_digest;
-  const auto bump = [](double& x) { x = std::nextafter(x, 1e9); };
-  ltd::Scenario speed = scenario, place = scenario, wagon = scenario, grip = scenario, resistance = scenario;
-  bump(speed.run.start_speed_mps);
-  bump(place.run.start_location_m);
-  bump(wagon.train.inertial_mass_kg[5]);
-  bump(grip.train.locomotives[1].adhesion_limit);
-  bump(resistance.train.vehicles[4].resistance.per_mass_N_per_t);
-  EXPECT_NE(run(speed).outcome.exchange_digest, digest);
-  EXPECT_NE(run(place).outcome.exchange_digest, digest);
-  EXPECT_NE(run(wagon).outcome.exchange_digest, digest);
-  EXPECT_NE(run(resistance).outcome.exchange_digest, digest);
-  EXPECT_NE(run(grip).outcome.exchange_digest, digest);
+  ltd::Scenario speed = scenario, place = scenario, grip = scenario, wagon = scenario, resistance = scenario;
+  // What is sent as it stands: the last binary digit.
+  speed.run.start_speed_mps = std::nextafter(scenario.run.start_speed_mps, 9.0);
+  place.run.start_location_m = std::nextafter(scenario.run.start_location_m, 9e9);
+  grip.train.locomotives[1].adhesion_limit = std::nextafter(0.35, 1.0);
+  // What acts through the speeds, where an ulp of it would be rounded off: the last digit as it is written.
+  wagon.train.inertial_mass_kg[5] += 1.0;
+  resistance.train.vehicles[4].resistance.per_mass_N_per_t += 0.001;
+  for (const ltd::Scenario* changed : {&speed, &place, &grip, &wagon, &resistance})
+    EXPECT_NE(run(*changed).outcome.exchange_digest, digest);
 }
 
 /// Has its answer only when it is asked for it once more.

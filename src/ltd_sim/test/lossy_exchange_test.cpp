@@ -21,8 +21,7 @@ ltd::Outcome runInOneProcess(const ltd::Scenario& scenario) {
   std::vector<std::unique_ptr<loco::LocalPort>> owned;
   std::vector<loco::LocoPort*> ports;
   for (const ltd::LocoUnit& unit : scenario.train.locomotives) {
-    owned.push_back(
-        std::make_unique<loco::LocalPort>(loco::makeLocomotive(scenario.document, unit.key, problems)));
+    owned.push_back(std::make_unique<loco::LocalPort>(loco::makeLocomotive(scenario.document, unit.key, problems)));
     ports.push_back(owned.back().get());
   }
   ltd::Cosimulation cosimulation(scenario, ports, {});
@@ -37,8 +36,8 @@ ltd::Outcome runInOneProcess(const ltd::Scenario& scenario) {
 struct Mischief {
   int drop_every = 0;
   int double_every = 0;
-  int delay_every = 0;         ///< it arrives after the next message
-  int kill_every_steps = 0;    ///< kill one locomotive, in turn; it joins again
+  int delay_every = 0;       ///< it arrives after the next message
+  int kill_every_steps = 0;  ///< kill one locomotive, in turn; it joins again
   bool join_backwards = false;
 };
 
@@ -49,8 +48,12 @@ class LossyGraph {
       : scenario_(scenario),
         mischief_(mischief),
         sessions_(scenario.train.locomotives.size()),
-        lock_(settings(scenario), [this](std::size_t i, const loco::ForceMessage& m) { post(to_locos_, {i, m}); },
-              [](std::size_t) { return true; }) {
+        lock_(
+            settings(scenario),
+            [this](std::size_t i, const loco::ForceMessage& m) {
+              post(to_locos_, {i, m});
+            },
+            [](std::size_t) { return true; }) {
     std::vector<loco::LocoPort*> ports;
     for (std::size_t i = 0; i < lock_.size(); ++i) ports.push_back(&lock_.port(i));
     cosimulation_ = std::make_unique<ltd::Cosimulation>(scenario, ports, std::vector<ltd::RunObserver*>{});

@@ -81,8 +81,8 @@ TEST(RunControlTest, PaceLetsSimulationTimeNotOutrunWallTime) {
   RunControl control(false);
   ASSERT_TRUE(control.request("PACE", 2.0, at(100), 50.0).accepted);
   EXPECT_TRUE(control.mayBegin(at(100), 50.0));
-  EXPECT_FALSE(control.mayBegin(at(600), 50.4));               // 1 s simulated is due 0.5 s later
-  EXPECT_NEAR(control.paceWait(at(600), 50.4), 0.1, 1e-9);     // 50 + 1/2 - 50.4, round-off of the wall clock
+  EXPECT_FALSE(control.mayBegin(at(600), 50.4));            // 1 s simulated is due 0.5 s later
+  EXPECT_NEAR(control.paceWait(at(600), 50.4), 0.1, 1e-9);  // 50 + 1/2 - 50.4, round-off of the wall clock
   EXPECT_TRUE(control.mayBegin(at(600), 50.5 + 1e-9));
   ASSERT_TRUE(control.request("PACE", 0.0, at(600), 50.5).accepted);
   EXPECT_TRUE(control.mayBegin(at(100000), 50.5));

@@ -12,8 +12,10 @@ using Kind = loco::TractionMessage::Kind;
 /// A lock for two locomotives whose messages are kept in a list.
 class StepLockTest : public ::testing::Test {
  protected:
-  StepLockTest() : lock_(settings(), [this](std::size_t i, const loco::ForceMessage& m) { sent_.emplace_back(i, m); },
-                         [this](std::size_t) { return connected_; }) {
+  StepLockTest()
+      : lock_(
+            settings(), [this](std::size_t i, const loco::ForceMessage& m) { sent_.emplace_back(i, m); },
+            [this](std::size_t) { return connected_; }) {
     lock_.tick(0.0);
     lock_.setStart(0, 3000.0, 1.5);
     lock_.setStart(1, 2978.0, 1.5);

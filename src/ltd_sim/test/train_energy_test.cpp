@@ -68,7 +68,7 @@ TEST(TrainEnergyTest, OnAGradeTheResidualIsHalfAStepsClimbOfTheSpeedGainedAndNoM
     const Journey journey(steps_s[j], kPermille);
     const double climb_J = rail::kGravity_mps2 * kPermille / 1000.0 * 0.5 * steps_s[j] * journey.momentumGained();
     rest[j] = journey.account().residual() + climb_J;
-      EXPECT_LT(std::abs(journey.account().residualRelative()), 2e-5);
+    EXPECT_LT(std::abs(journey.account().residualRelative()), 2e-5);
     EXPECT_LT(std::abs(rest[j]), 1e-6 * journey.account().traction_rail);
   }
   EXPECT_NEAR(rest[0] / rest[1], 4.0, 1.0);  // what is left is the couplers' as on the level

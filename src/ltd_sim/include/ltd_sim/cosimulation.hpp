@@ -44,7 +44,8 @@ class Cosimulation {
 
  private:
   bool gatherAnswers();
-  std::string checkAnswers();
+  std::string modelFailure() const;
+  std::string checkSpeeds();
   void checkEnd();
   bool stalled();
 
