@@ -1,0 +1,88 @@
+#include "loco_dynamics/body_dynamics.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "rail_core/constants.hpp"
+
+namespace loco {
+
+namespace {
+
+const char* nameOf(Dof dof) {
+  static const char* const names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
+  return names[dof];
+}
+
+}  // namespace
+
+BodyDynamics::BodyDynamics(BodyLayout layout, Suspension suspension)
+    : layout_(std::move(layout)), suspension_(std::move(suspension)), workspace_(suspension_) {}
+
+void BodyDynamics::pack(const BodyState& state, double* out) const {
+  for (const BodyVector* x : {&state.q, &state.v})
+    for (const auto& body : *x)
+      for (const Dof dof : layout_.dofs()) *out++ = body[static_cast<Eigen::Index>(dof)];
+  for (const double x : state.damper_x_m) *out++ = x;
+}
+
+void BodyDynamics::unpack(const double* in, BodyState& state) const {
+  for (BodyVector* x : {&state.q, &state.v}) {
+    for (auto& body : *x) {
+      body.setZero();
+      for (const Dof dof : layout_.dofs()) body[static_cast<Eigen::Index>(dof)] = *in++;
+    }
+  }
+  state.damper_x_m.resize(suspension_.yaw_dampers.size());
+  for (double& x : state.damper_x_m) x = *in++;
+}
+
+void BodyDynamics::addInnerForces(BodyState& state, double h, BodyVector& loads) {
+  for (std::size_t i = 0; i < layout_.bodies().size(); ++i)
+    loads[i][kZ] -= layout_.bodies()[i].mass_kg * rail::kGravity_mps2;
+  addSuspensionForces(suspension_, state.q, state.v, h, state.damper_x_m.data(), workspace_, loads);
+}
+
+std::string BodyDynamics::step(const BodyVector& loads, double h, BodyState& state) const {
+  for (std::size_t i = 0; i < layout_.bodies().size(); ++i) {
+    for (const Dof dof : layout_.dofs()) {
+      const auto k = static_cast<Eigen::Index>(dof);
+      state.v[i][k] += h * loads[i][k] / layout_.inertia(i, dof);  // (B1)
+      state.q[i][k] += h * state.v[i][k];
+      if (!std::isfinite(state.v[i][k]))
+        return layout_.bodies()[i].name + ": its speed in " + nameOf(dof) + " is no number";
+    }
+  }
+  return {};
+}
+
+double BodyDynamics::computeDampingWork(const BodyVector& v_old, const BodyVector& v_new, double h) const {
+  BodyVector v_mean;
+  for (std::size_t i = 0; i < v_mean.size(); ++i) v_mean[i] = 0.5 * (v_old[i] + v_new[i]);
+  return loco::computeDampingWork(suspension_, v_mean, h, workspace_);
+}
+
+double BodyDynamics::computeKineticEnergy(const BodyVector& v) const {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < layout_.bodies().size(); ++i)
+    for (const Dof dof : layout_.dofs()) {
+      const double speed = v[i][static_cast<Eigen::Index>(dof)];
+      energy += 0.5 * layout_.inertia(i, dof) * speed * speed;
+    }
+  return energy;
+}
+
+double BodyDynamics::computeStoredEnergy(const BodyState& state) const {
+  double energy = loco::computeStoredEnergy(suspension_, state.q, state.damper_x_m.data());
+  for (std::size_t i = 0; i < layout_.bodies().size(); ++i)
+    energy += layout_.bodies()[i].mass_kg * rail::kGravity_mps2 * state.q[i][kZ];
+  return energy;
+}
+
+double BodyDynamics::centreOfGravity(const BodyVector& x) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < layout_.bodies().size(); ++i) sum += layout_.bodies()[i].mass_kg * x[i][kX];
+  return sum / layout_.totalMass();
+}
+
+}  // namespace loco
