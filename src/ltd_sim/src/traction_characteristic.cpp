@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ltd_sim/csv_file.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/csv_table.hpp"
 
@@ -10,11 +11,13 @@ namespace ltd {
 
 namespace {
 
+constexpr int kMostNotches = 100;  // chosen: more than any controller has, and a typing error is found
+
 /// Rules of a traction table that a CSV reader cannot know; messages name the line.
 void checkTable(const rail::CsvTable& table, const std::string& file, rail::Problems& problems) {
   const auto refuse = [&](std::size_t row, std::size_t column, const std::string& rule) {
     problems.add(file, "line " + std::to_string(table.line_of_row[row]) + ": " + table.columns[column],
-                 std::to_string(table.rows[row][column]), rule);
+                 allDigits(table.rows[row][column]), rule);
   };
   if (table.columns.size() < 2) problems.add(file, "line 1", "must have a column notch_1_N");
   if (table.rows.size() < 2) problems.add(file, "speed_kmph", "must have at least two rows");
@@ -37,18 +40,20 @@ void checkTable(const rail::CsvTable& table, const std::string& file, rail::Prob
 
 TractionCharacteristic TractionCharacteristic::read(rail::YamlReader reader) {
   TractionCharacteristic c;
+  const std::size_t problems_before = reader.problems().count();
   const bool table = reader.choice("law", {"limits", "table"}) == "table";
   c.law_ = table ? Law::kTable : Law::kLimits;
   if (table) {
     c.readTable(reader);
   } else {
-    c.notches_ = reader.integer("notches", 1, 100);
+    c.notches_ = reader.integer("notches", 1, kMostNotches);
     c.largest_force_N_ = reader.number("largest_force_N", rail::positive());
     c.force_slope_N_s_per_m_ = reader.number("force_slope_N_s_per_m", rail::notNegative());
     c.power_at_rail_W_ = reader.number("power_at_rail_W", rail::positive());
   }
   c.rise_N_per_s_ = reader.number("rise_N_per_s", rail::positive());
   c.fall_N_per_s_ = reader.number("fall_N_per_s", rail::positive());
+  if (reader.problems().count() != problems_before) c.notches_ = kMostNotches;  // unknown: refuse none for it
   reader.finish();
   return c;
 }
@@ -57,10 +62,10 @@ void TractionCharacteristic::readTable(rail::YamlReader& reader) {
   const std::string text = reader.text("table");
   if (text.empty()) return;
   const std::string file = reader.file("table");
-  const std::size_t problems_before = reader.problems().lines().size();
+  const std::size_t problems_before = reader.problems().count();
   const rail::CsvTable csv = rail::readOpenCsv(text, file, "speed_kmph", reader.problems());
-  if (reader.problems().lines().size() == problems_before) checkTable(csv, file, reader.problems());
-  if (reader.problems().lines().size() != problems_before) return;
+  if (reader.problems().count() == problems_before) checkTable(csv, file, reader.problems());
+  if (reader.problems().count() != problems_before) return;
   notches_ = static_cast<int>(csv.columns.size()) - 1;
   for (std::size_t j = 1; j < csv.columns.size(); ++j) {
     std::vector<double> speed_mps, force_N;

@@ -59,6 +59,7 @@ TEST(TractionLimitsTest, ForceFallsWithSpeedByItsSlopeAndNeverBelowZero) {
   EXPECT_NEAR(traction.computeForce(4, 8.0), 60e3, 1e-9);
   EXPECT_NEAR(traction.computeForce(2, 8.0), 30e3, 1e-9);
   EXPECT_EQ(traction.computeForce(4, 25.0), 0.0);
+  EXPECT_EQ(traction.computeForce(4, -8.0), 100e3);  // rolling back counts as standing
   EXPECT_EQ(traction.largestForce(), 100e3);
 }
 

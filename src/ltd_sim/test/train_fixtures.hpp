@@ -77,6 +77,11 @@ inline ltd::TrainModel makeTrain(const std::vector<rail::Vehicle>& vehicles, con
   return train;
 }
 
+/// n vehicles of equal mass without resistance, the first one a locomotive.
+inline ltd::TrainModel freeTrain(std::size_t n, double mass_kg, const ltd::Coupler::Parameters& coupler) {
+  return makeTrain(std::vector<rail::Vehicle>(n, freeVehicle(mass_kg)), {0}, coupler);
+}
+
 /// One locomotive of the paper and `wagons` wagons behind it.
 inline ltd::TrainModel shortPaperTrain(std::size_t wagons) {
   std::vector<rail::Vehicle> vehicles(wagons + 1, paperWagon());
@@ -163,6 +168,13 @@ inline ltd::Scenario makeScenario(const ltd::TrainModel& train, const rail::Trac
   scenario.output.telemetry_interval = 20000000;
   scenario.macro_step = scenario.micro_step = 2000000;
   return scenario;
+}
+
+/// Two locomotives and four wagons on level track.
+inline ltd::Scenario smallScenario() {
+  std::vector<rail::Vehicle> vehicles(6, paperWagon());
+  vehicles[0] = vehicles[3] = paperLoco();
+  return makeScenario(makeTrain(vehicles, {0, 3}, draftGear()), makeTrack());
 }
 
 /// 1D locomotives in this process, one for each of the scenario's.

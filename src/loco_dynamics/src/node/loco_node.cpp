@@ -2,6 +2,7 @@
 
 #include <train_msgs/JoinTrain.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "conversions.hpp"
@@ -18,7 +19,7 @@ constexpr double kRetryInterval_s = 1.0;  // after a refusal
 
 }  // namespace
 
-LocoNode::LocoNode() : private_node_("~"), last_sign_of_train_(ros::WallTime::now()) {
+LocoNode::LocoNode() : private_node_("~"), last_sign_of_train_(ros::WallTime::now()), last_look_(ros::WallTime::now()) {
   int locomotive = 0;
   if (!private_node_.getParam("locomotive", locomotive) || locomotive < 1)
     throw std::runtime_error(
@@ -32,6 +33,15 @@ LocoNode::LocoNode() : private_node_("~"), last_sign_of_train_(ros::WallTime::no
   request_.node = ros::this_node::getName();
   data_node_.setCallbackQueue(&queue_);
   status_subscriber_ = data_node_.subscribe(train_ + "/status", 10, &LocoNode::onStatus, this);
+}
+
+LocoNode::~LocoNode() {
+  {
+    const std::lock_guard<std::mutex> guard(mutex_);
+    closed_ = true;  // the receiving thread may be about to call
+  }
+  force_subscriber_.shutdown();
+  status_subscriber_.shutdown();
 }
 
 int LocoNode::run() {
@@ -51,7 +61,14 @@ int LocoNode::run() {
   return 0;
 }
 
-bool LocoNode::trainSilent() const { return (ros::WallTime::now() - last_sign_of_train_).toSec() > deadline_s_; }
+bool LocoNode::trainSilent() {
+  const ros::WallTime now = ros::WallTime::now();
+  const ros::WallDuration since_last_look = now - last_look_;
+  last_look_ = now;
+  // Who was suspended has heard nothing, but that says nothing about the train: its messages wait in the socket.
+  if (since_last_look.toSec() > 1.0) last_sign_of_train_ = std::max(last_sign_of_train_, now - ros::WallDuration(1.0));
+  return (now - last_sign_of_train_).toSec() > deadline_s_;
+}
 
 void LocoNode::tryJoin() {
   const std::string service = train_ + "/join";
@@ -96,6 +113,7 @@ void LocoNode::connect() {
 
 void LocoNode::onForce(const train_msgs::LocoForceConstPtr& msg) {
   const std::lock_guard<std::mutex> guard(mutex_);
+  if (closed_) return;
   last_sign_of_train_ = ros::WallTime::now();
   const TractionMessage* answer = session_.onForce(fromMsg(*msg));
   if (answer == nullptr) return;
@@ -106,6 +124,7 @@ void LocoNode::onForce(const train_msgs::LocoForceConstPtr& msg) {
 
 void LocoNode::onStatus(const train_msgs::TrainStatusConstPtr& msg) {
   const std::lock_guard<std::mutex> guard(mutex_);
+  if (closed_) return;
   last_sign_of_train_ = ros::WallTime::now();
   const ExchangeId& id = session_.id();
   if (!session_.needsJoin() && (msg->run_id != id.run_id || msg->epoch != id.epoch)) session_.leave();

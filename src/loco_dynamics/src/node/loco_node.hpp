@@ -22,6 +22,7 @@ namespace loco {
 class LocoNode {
  public:
   LocoNode();
+  ~LocoNode();
   /// Returns when ROS shuts down (0) or the train is silent for too long (1).
   int run();
 
@@ -31,7 +32,7 @@ class LocoNode {
   void tryJoin();
   void takePlace(const JoinAnswer& joined);
   void connect();
-  bool trainSilent() const;
+  bool trainSilent();
   void sayOnce(const std::string& what);
 
   ros::NodeHandle node_, private_node_;
@@ -47,6 +48,8 @@ class LocoNode {
   train_msgs::LocoTraction traction_msg_;
   ros::WallTime last_sign_of_train_;
   double deadline_s_ = 60.0;
+  ros::WallTime last_look_;  ///< of run() at the clock
+  bool closed_ = false;      ///< no message is worked up any more
   std::string said_;
 };
 

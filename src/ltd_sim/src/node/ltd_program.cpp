@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 
 #include <exception>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,6 +18,11 @@ std::string required(const ros::NodeHandle& node, const std::string& name, const
   std::string value;
   if (!node.getParam(name, value) || value.empty()) throw std::runtime_error("ltd: ~" + name + ": is missing: " + what);
   return value;
+}
+
+/// Nodes of a launch start in ROS_HOME; paths that a user types count from where he called roslaunch.
+void changeDirectory(const std::string& directory) {
+  if (!directory.empty()) std::filesystem::current_path(directory);
 }
 
 std::vector<rail::Override> readOverrides(const std::string& text) {
@@ -63,10 +69,11 @@ int runProgram(const volatile std::sig_atomic_t& interrupted) {
   LtdNode::Options options;
   Scenario scenario;
   try {
-    options.out = required(parameters, "out", "folder of the results, absolute");
+    changeDirectory(parameters.param<std::string>("directory", ""));
+    options.out = required(parameters, "out", "folder of the results");
     options.record = parameters.param("record", true);
     options.hold = parameters.param("hold", false);
-    const std::string file = required(parameters, "scenario", "path of the scenario, absolute");
+    const std::string file = required(parameters, "scenario", "path of the scenario");
     scenario = Scenario::load(file, readOverrides(parameters.param<std::string>("set", "")));
     checkCount(parameters.param("locomotives", 0), scenario);
   } catch (const std::exception& error) {
