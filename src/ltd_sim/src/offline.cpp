@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -110,11 +111,25 @@ std::vector<std::string> sweepRow(const std::string& name, const std::vector<rai
   return cells;
 }
 
+/// All are checked before the first one runs. @throws rail::ConfigError with the problems of all of them.
+std::vector<Scenario> loadAll(const std::string& file, const std::vector<std::vector<rail::Override>>& combinations) {
+  std::vector<Scenario> scenarios;
+  std::vector<std::string> lines;
+  for (const std::vector<rail::Override>& overrides : combinations) {
+    try {
+      scenarios.push_back(Scenario::load(file, overrides));
+    } catch (const rail::ConfigError& error) {
+      for (const std::string& line : error.lines())
+        if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+    }
+  }
+  if (!lines.empty()) throw rail::ConfigError(lines);
+  return scenarios;
+}
+
 int runAll(const OfflineArguments& arguments, const BagFactory& bag_factory) {
   const std::vector<std::vector<rail::Override>> combinations = arguments.combinations();
-  std::vector<Scenario> scenarios;  // all are checked before the first one runs
-  for (const std::vector<rail::Override>& overrides : combinations)
-    scenarios.push_back(Scenario::load(arguments.scenario, overrides));
+  const std::vector<Scenario> scenarios = loadAll(arguments.scenario, combinations);
   if (scenarios.size() == 1) {
     const RunResult run = runOnce(scenarios.front(), arguments.out, bag_factory);
     tell(scenarios.front(), run, arguments.out);

@@ -44,9 +44,18 @@ void RunOutputs::onStep(const StepRecord& record) {
 }
 
 void RunOutputs::onEnd(const TrainState& state, const Outcome& outcome) {
-  for (const auto& writer : writers_) writer->onEnd(state, outcome);
-  writeOutcome(folder_, outcome, static_cast<double>(state.step) * rail::toSeconds(scenario_.macro_step),
+  Outcome told = outcome;
+  for (const auto& writer : writers_) {
+    try {
+      writer->onEnd(state, outcome);
+    } catch (const std::exception& error) {
+      told.kind = Outcome::Kind::kFailed;
+      told.reason = error.what();
+    }
+  }
+  writeOutcome(folder_, told, static_cast<double>(state.step) * rail::toSeconds(scenario_.macro_step),
                state.s_m[scenario_.train.locomotives.front().vehicle] / rail::kMetresPerKilometre, state.step);
+  if (told.kind != outcome.kind) throw std::runtime_error(told.reason);
 }
 
 void writeOutcome(const std::string& folder, const Outcome& outcome, double time_s, double location_km,

@@ -136,8 +136,9 @@ void checkPlaces(rail::YamlReader& root, const Scenario& scenario) {
     run.refuse("start_location_km", "the train would stand from " + format(rear_m / rail::kMetresPerKilometre) +
                                         " to " + format(front_m / rail::kMetresPerKilometre) + " km, beyond the track" +
                                         track);
-  if (scenario.run.end_location_m > scenario.track.end_m())
-    run.refuse("end_location_km", "is beyond the track" + track);
+  const double ahead_m = front_m - scenario.run.start_location_m;  // of vehicles before the leading locomotive
+  if (scenario.run.end_location_m + ahead_m > scenario.track.end_m())
+    run.refuse("end_location_km", "the head of the train would be beyond the track" + track);
 }
 
 /// The couplers' friction and stiffness bound the macro step; see computeStepBound.
@@ -165,22 +166,23 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
 
   rail::YamlReader root(scenario.document, problems);
   scenario.name = root.text("name");
+  if (scenario.name.find('/') != std::string::npos || scenario.name.substr(0, 1) == ".")
+    root.refuse("name", "names the bag, so it must not hold '/' nor begin with '.'");
   root.text("description");
   scenario.locomotive_model = root.choice("locomotive_model", loco::knownModels());
   scenario.rotary_inertia = root.boolean("rotary_inertia");
   const bool step_known = isSound(problems, [&] { readSteps(root.map("steps"), scenario); });
   const bool run_known = isSound(problems, [&] { scenario.run = readRun(root.map("run")); });
   scenario.lock = readLock(root.map("lock"));
-  scenario.train = TrainModel::read(root.map("train"), scenario.rotary_inertia);
+  const bool train_known =
+      isSound(problems, [&] { scenario.train = TrainModel::read(root.map("train"), scenario.rotary_inertia); });
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
   scenario.driver = readDriver(root.map("driver"), scenario.train);
   const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};
   scenario.output = readOutput(root.map("output"), bounds, scenario.macro_step, step_known);
   root.finish();
-  if (problems.empty()) {
-    checkPlaces(root, scenario);
-    checkStep(root, scenario);
-  }
+  if (train_known && run_known && track_known) checkPlaces(root, scenario);
+  if (train_known && step_known) checkStep(root, scenario);
   problems.throwIfAny();
   return scenario;
 }

@@ -36,6 +36,20 @@ void checkTable(const rail::CsvTable& table, const std::string& file, rail::Prob
   }
 }
 
+/// Largest F v of a force that is linear in v between its points [W]: at a point, or where the parabola between two of
+/// them has its vertex.
+double largestPower(const std::vector<double>& v_mps, const std::vector<double>& F_N) {
+  double power_W = 0.0;
+  for (std::size_t i = 0; i < v_mps.size(); ++i) {
+    power_W = std::max(power_W, F_N[i] * v_mps[i]);
+    if (i == 0 || F_N[i] == F_N[i - 1]) continue;
+    const double slope = (F_N[i] - F_N[i - 1]) / (v_mps[i] - v_mps[i - 1]);
+    const double v = 0.5 * (v_mps[i] - F_N[i] / slope);
+    if (v > v_mps[i - 1] && v < v_mps[i]) power_W = std::max(power_W, (F_N[i] + slope * (v - v_mps[i])) * v);
+  }
+  return power_W;
+}
+
 }  // namespace
 
 TractionCharacteristic TractionCharacteristic::read(rail::YamlReader reader) {
@@ -69,14 +83,12 @@ void TractionCharacteristic::readTable(rail::YamlReader& reader) {
   notches_ = static_cast<int>(csv.columns.size()) - 1;
   for (std::size_t j = 1; j < csv.columns.size(); ++j) {
     std::vector<double> speed_mps, force_N;
-    double power_W = 0.0;
     for (const std::vector<double>& row : csv.rows) {
       speed_mps.push_back(row[0] / rail::kKmphPerMps);
       force_N.push_back(row[j]);
-      power_W = std::max(power_W, row[j] * speed_mps.back());
     }
     force_of_notch_.emplace_back(speed_mps, force_N);
-    power_of_notch_W_.push_back(power_W);
+    power_of_notch_W_.push_back(largestPower(speed_mps, force_N));
   }
 }
 

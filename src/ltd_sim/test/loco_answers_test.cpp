@@ -115,6 +115,14 @@ TEST(CosimulationDigestTest, ChangesIfAnyInputChangesInItsLastDigit) {
     EXPECT_NE(run(*changed).outcome.exchange_digest, digest);
 }
 
+TEST(CosimulationDigestTest, CoversWhatTheLocomotivesAnswer) {
+  const OddRun as_it_is = runOddly([](loco::LocoTraction&) {});
+  const OddRun other_slip = runOddly([](loco::LocoTraction& answer) { answer.work_slip_J += 1e-9; });
+  EXPECT_EQ(as_it_is.outcome.exchange_digest, run(smallScenario()).outcome.exchange_digest);
+  EXPECT_NE(other_slip.outcome.exchange_digest, as_it_is.outcome.exchange_digest);
+  EXPECT_EQ(other_slip.steps, as_it_is.steps);
+}
+
 /// Has its answer only when it is asked for it once more.
 class LatePort : public loco::LocoPort {
  public:

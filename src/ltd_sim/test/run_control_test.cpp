@@ -88,6 +88,14 @@ TEST(RunControlTest, PaceLetsSimulationTimeNotOutrunWallTime) {
   EXPECT_TRUE(control.mayBegin(at(100000), 50.5));
 }
 
+TEST(RunControlTest, TimeLostToWaitingIsNotCaughtUpByThePace) {
+  RunControl control(false);
+  ASSERT_TRUE(control.request("PACE", 1.0, at(0), 0.0).accepted);
+  EXPECT_TRUE(control.mayBegin(at(1), 60.0));     // a locomotive joined a minute late
+  EXPECT_FALSE(control.mayBegin(at(501), 60.5));  // 1 s further on is due at 61 s
+  EXPECT_TRUE(control.mayBegin(at(501), 61.0 + 1e-9));
+}
+
 TEST(RunControlTest, TimeSpentHeldIsNotCaughtUpByThePace) {
   RunControl control(false);
   ASSERT_TRUE(control.request("PACE", 1.0, at(0), 0.0).accepted);

@@ -145,10 +145,23 @@ TEST_F(ScenarioFaultTest, RefusesATrainThatWouldStandBeyondTheTracksStart) {
 }
 
 TEST_F(ScenarioFaultTest, RefusesAnEndBeyondTheTrackOrBehindTheStart) {
-  EXPECT_TRUE(fixtures::contains(faultOf({{"run.end_location_km", "10.001"}}),
-                                 "run.end_location_km = 10.001: is beyond the track (track 0 to 10 km)"));
+  EXPECT_TRUE(fixtures::anyHas({faultOf({{"run.end_location_km", "10.001"}})},
+                               {"run.end_location_km = 10.001: ", "beyond the track (track 0 to 10 km)"}));
   const auto lines = faults({{"run.end_location_km", "2.9"}});
   EXPECT_TRUE(fixtures::anyHas(lines, {"run.end_location_km = 2.9", "must be ahead of start_location_km"}));
+}
+
+TEST_F(ScenarioFaultTest, RefusesAnEndAtWhichPushedWagonsWouldHaveLeftTheTrack) {
+  replace("config/trains/paper.yaml", "groups:\n",
+          "groups:\n  - {kind: wagon, count: 2, vehicle_file: ../vehicles/wagon_120t.yaml}\n");
+  // The first wagon runs 15 + 18.5 m ahead of the leading locomotive.
+  EXPECT_EQ(faults({{"run.end_location_km", "9.966"}}), std::vector<std::string>());
+  EXPECT_TRUE(fixtures::contains(faultOf({{"run.end_location_km", "9.967"}}), "run.end_location_km = 9.967: "));
+}
+
+TEST_F(ScenarioFaultTest, RefusesANameThatNamesNoFile) {
+  for (const char* name : {"a/b", ".hidden"})
+    EXPECT_TRUE(fixtures::contains(faultOf({{"name", name}}), std::string("name = ") + name + ": ")) << name;
 }
 
 TEST_F(ScenarioFaultTest, RefusesReportLocationsThatFallOrLieOutsideTheRun) {
@@ -186,6 +199,15 @@ TEST_F(ScenarioFaultTest, TellsAllFaultsOfAllFilesAtOnce) {
                                              {"scenarios/paper_1d.yaml: driver.notches.2", "30", "0 to 8"}})
     EXPECT_TRUE(fixtures::anyHas(lines, parts)) << parts.front() << "\nin\n" << fixtures::joined(lines);
   EXPECT_EQ(lines.size(), 7u) << fixtures::joined(lines);  // each once, also that of a file which two vehicles name
+}
+
+TEST_F(ScenarioFaultTest, TellsARunThatDoesNotFitItsTrackAndAStepThatIsTooLongBesideOtherFaults) {
+  const auto lines =
+      faults({{"steps.macro_step_s", "0.02"}, {"run.end_location_km", "99"}, {"driver.groups.lead.follows", "nobody"}});
+  EXPECT_EQ(lines.size(), 3u) << fixtures::joined(lines);
+  EXPECT_TRUE(fixtures::anyHas(lines, {"steps.macro_step_s = 0.02", "must be below"}));
+  EXPECT_TRUE(fixtures::anyHas(lines, {"run.end_location_km = 99"}));
+  EXPECT_TRUE(fixtures::anyHas(lines, {"driver.groups.lead.follows = nobody"}));
 }
 
 TEST_F(ScenarioFaultTest, AFaultDoesNotAccuseWhatIsSoundBesideIt) {

@@ -111,11 +111,24 @@ TEST(TractionTableTest, BeyondItsLastSpeedItFollowsTheHyperbolaOfTheLastPower) {
   EXPECT_NEAR(traction.computeForce(1, 25.0), 30e3 * 10.0 / 25.0, 1e-9);
 }
 
-TEST(TractionTableTest, RimPowerLimitIsTheLargestPowerOfTheNotchsRows) {
+TEST(TractionTableTest, RimPowerLimitIsTheLargestPowerOfTheNotch) {
   const TractionCharacteristic traction = readMap(tableText(kGoodRows), TractionCharacteristic::read);
-  EXPECT_NEAR(traction.computeRimPowerLimit(1), 80e3 * 5.0, 1e-9);
-  EXPECT_NEAR(traction.computeRimPowerLimit(2), 160e3 * 5.0, 1e-9);  // not the last row's 80e3 * 10, the same here
+  // Between 5 and 10 m/s notch 1 gives 130 kN - 10 kN s/m v, so most at 6.5 m/s, notch 2 240 kN - 16 kN s/m v.
+  EXPECT_NEAR(traction.computeRimPowerLimit(1), 65e3 * 6.5, 1e-9);
+  EXPECT_NEAR(traction.computeRimPowerLimit(2), 120e3 * 7.5, 1e-9);
   EXPECT_EQ(traction.computeRimPowerLimit(0), 0.0);
+  for (double v_mps = 0.0; v_mps < 30.0; v_mps += 0.01)
+    EXPECT_LE(traction.computeForce(2, v_mps) * v_mps, traction.computeRimPowerLimit(2) + 1e-9) << v_mps;
+}
+
+TEST(TractionTableTest, RimPowerLimitIsThatOfARowWhereTheForceFallsSteeplyBehindIt) {
+  const TractionCharacteristic traction =
+      readMap(tableText({"0, 100000, 200000", "18, 100000, 200000", "36, 10000, 20000"}), TractionCharacteristic::read);
+  // 190 kN - 18 kN s/m v has its vertex at 5.28 m/s, just behind the row: 501.4 kW, not the row's 500.
+  EXPECT_NEAR(traction.computeRimPowerLimit(1), 190e3 * 190e3 / (4.0 * 18e3), 1e-6);
+  const TractionCharacteristic cliff = readMap(
+      tableText({"0, 100000, 200000", "18, 100000, 200000", "19.8, 10000, 20000"}), TractionCharacteristic::read);
+  EXPECT_NEAR(cliff.computeRimPowerLimit(1), 500e3, 1e-9);
 }
 
 void expectFault(const std::string& text, const std::vector<std::string>& parts) {

@@ -70,6 +70,31 @@ TEST(TrainDynamicsTest, TractionPushesItsOwnLocomotiveForwardAndNobodyElse) {
   EXPECT_NEAR(rig.state.account.traction_rail, work_J, 1e-12 * work_J);
 }
 
+TEST(TrainDynamicsTest, RimAndSlipWorkAreBookedToTheirLocomotiveAndTheTrain) {
+  Rig rig(
+      fixtures::makeTrain(std::vector<rail::Vehicle>(3, fixtures::freeVehicle(100e3)), {0, 2}, fixtures::draftGear()),
+      fixtures::makeTrack(), 0.002, 3000.0, 1.0);
+  rig.answers[0].work_rim_J = 100.0, rig.answers[0].work_slip_J = 7.0;
+  rig.answers[1].work_rim_J = 200.0, rig.answers[1].work_slip_J = 13.0;
+  for (int k = 0; k < 2; ++k) ASSERT_EQ(rig.step(), "");
+  EXPECT_EQ(rig.state.loco_energy[0].rim, 200.0);
+  EXPECT_EQ(rig.state.loco_energy[0].slip, 14.0);
+  EXPECT_EQ(rig.state.loco_energy[1].rim, 400.0);
+  EXPECT_EQ(rig.state.loco_energy[1].slip, 26.0);
+  EXPECT_EQ(rig.state.account.traction_rim, 600.0);
+  EXPECT_EQ(rig.state.account.slip_loss, 40.0);
+}
+
+TEST(TrainDynamicsTest, LocomotivesStateGoesWithTheTrainsState) {
+  Rig rig(fixtures::makeTrain({fixtures::freeVehicle(1e5), fixtures::freeVehicle(1e5)}, {0, 1}, fixtures::draftGear()),
+          fixtures::makeTrack(), 0.002, 3000.0, 1.0);
+  EXPECT_TRUE(rig.state.loco_state[1].empty());
+  rig.answers[1].state = {1.0, 2.0, 3.0};
+  ASSERT_EQ(rig.step(), "");
+  EXPECT_EQ(rig.state.loco_state[1], (std::vector<double>{1.0, 2.0, 3.0}));
+  EXPECT_TRUE(rig.state.loco_state[0].empty());
+}
+
 TEST(TrainDynamicsTest, LocomotiveIsToldOfTheForcesThatLtdUses) {
   Rig rig(fixtures::makeTrain(std::vector<rail::Vehicle>(3, fixtures::paperWagon()), {1}, fixtures::draftGear()),
           fixtures::makeTrack("{from_km: 0, grade_permille: 5}",

@@ -118,8 +118,8 @@ class Rig {
         H(step_s),
         dynamics(train, track, driver, rail::wholeNanoseconds(step_s).value()),
         state(dynamics.initialState(location_m, speed_mps)),
-        answers_(train.locomotives.size()) {
-    for (const loco::LocoTraction& answer : answers_) pointers_.push_back(&answer);
+        answers(train.locomotives.size()) {
+    for (const loco::LocoTraction& answer : answers) pointers_.push_back(&answer);
   }
   Rig(const Rig&) = delete;
   Rig& operator=(const Rig&) = delete;
@@ -128,8 +128,8 @@ class Rig {
   std::string step(const std::vector<double>& traction_N = {}) {
     if (state.step == 0) dynamics.updateStoredEnergies(state);
     dynamics.computeForces(state, forces);
-    for (std::size_t i = 0; i < answers_.size(); ++i)
-      answers_[i].traction_N = i < traction_N.size() ? traction_N[i] : 0.0;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+      answers[i].traction_N = i < traction_N.size() ? traction_N[i] : 0.0;
     return dynamics.step(state, forces, pointers_);
   }
 
@@ -146,9 +146,9 @@ class Rig {
   ltd::TrainDynamics dynamics;
   ltd::TrainState state;
   ltd::TrainForces forces;
+  std::vector<loco::LocoTraction> answers;  ///< step() sets the tractions in them
 
  private:
-  std::vector<loco::LocoTraction> answers_;
   std::vector<const loco::LocoTraction*> pointers_;
 };
 

@@ -38,6 +38,7 @@ class RunControl {
  private:
   enum class Mode { kHold, kRun, kUntilStep, kUntilTime, kUntilPlace };
   Reply setTarget(const std::string& command, double value, const Situation& now);
+  double due_s(const Situation& now) const;  ///< wall time before which the pace allows no step
   void restartPace(const Situation& now, double wall_s);
 
   Mode mode_;

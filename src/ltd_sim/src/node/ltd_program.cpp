@@ -14,9 +14,18 @@ namespace ltd {
 
 namespace {
 
+/// A parameter of the type of `fallback`. @throws if it is there with another type: nothing is taken for something
+/// else.
+template <typename Value>
+Value readParameter(const ros::NodeHandle& node, const std::string& name, Value fallback, const std::string& rule) {
+  Value value = fallback;
+  if (node.hasParam(name) && !node.getParam(name, value)) throw std::runtime_error("ltd: ~" + name + ": " + rule);
+  return value;
+}
+
 std::string required(const ros::NodeHandle& node, const std::string& name, const std::string& what) {
-  std::string value;
-  if (!node.getParam(name, value) || value.empty()) throw std::runtime_error("ltd: ~" + name + ": is missing: " + what);
+  const std::string value = readParameter<std::string>(node, name, "", "must be text: " + what);
+  if (value.empty()) throw std::runtime_error("ltd: ~" + name + ": is missing: " + what);
   return value;
 }
 
@@ -69,13 +78,13 @@ int runProgram(const volatile std::sig_atomic_t& interrupted) {
   LtdNode::Options options;
   Scenario scenario;
   try {
-    changeDirectory(parameters.param<std::string>("directory", ""));
+    changeDirectory(readParameter<std::string>(parameters, "directory", "", "must be a path"));
     options.out = required(parameters, "out", "folder of the results");
-    options.record = parameters.param("record", true);
-    options.hold = parameters.param("hold", false);
+    options.record = readParameter(parameters, "record", true, "must be true or false");
+    options.hold = readParameter(parameters, "hold", false, "must be true or false");
     const std::string file = required(parameters, "scenario", "path of the scenario");
-    scenario = Scenario::load(file, readOverrides(parameters.param<std::string>("set", "")));
-    checkCount(parameters.param("locomotives", 0), scenario);
+    scenario = Scenario::load(file, readOverrides(readParameter<std::string>(parameters, "set", "", "must be text")));
+    checkCount(readParameter(parameters, "locomotives", 0, "must be a whole number"), scenario);
   } catch (const std::exception& error) {
     return leaveReason(options.out, error.what(), 2);
   }
