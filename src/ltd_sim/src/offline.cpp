@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 
 #include "loco_dynamics/local_port.hpp"
@@ -135,6 +136,8 @@ int runAll(const OfflineArguments& arguments, const BagFactory& bag_factory) {
     tell(scenarios.front(), run, arguments.out);
     return run.outcome.exitStatus();
   }
+  std::printf("%zu runs, one for each combination of the values given to --set (a comma separates values)\n",
+              scenarios.size());
   makeDirectories(arguments.out);
   CsvFile sweep(arguments.out + "/sweep.csv", sweepColumns(arguments));
   int status = 0;
@@ -172,6 +175,7 @@ int runOffline(const std::vector<std::string>& command_line, const BagFactory& b
     return runAll(arguments, arguments.bag ? bag_factory : BagFactory());
   } catch (const rail::ConfigError& error) {
     std::cerr << error.what() << '\n';
+    if (std::filesystem::exists(arguments.out + "/outcome.yaml")) writeRefusal(arguments.out, error.what());
     return 2;
   } catch (const std::exception& error) {
     std::cerr << "ltd_offline: " << error.what() << '\n';

@@ -58,6 +58,9 @@ RunControl::Reply RunControl::setTarget(const std::string& command, double value
   if (command == "RUN_UNTIL_TIME") {
     if (!(value > rail::toSeconds(now.time) && value * 1e9 <= kLargestCount * 1e3))
       return {false, format("RUN_UNTIL_TIME: value must be a time [s] after now, %.3f s", rail::toSeconds(now.time))};
+    if (value > rail::toSeconds(now.end_time))
+      return {false,
+              format("RUN_UNTIL_TIME: value is after the scenario's end, %.3f s", rail::toSeconds(now.end_time))};
     mode_ = Mode::kUntilTime;
     until_time_ = static_cast<rail::Nanoseconds>(std::llround(value * 1e9));
     return {true, format("runs until %g s, then holds", value)};
@@ -67,6 +70,9 @@ RunControl::Reply RunControl::setTarget(const std::string& command, double value
     if (!std::isfinite(value) || location_m <= now.location_m)
       return {false, format("RUN_UNTIL_PLACE: value must be a place [km] ahead of the leading locomotive at %.3f km",
                             now.location_m / rail::kMetresPerKilometre)};
+    if (location_m > now.end_location_m)
+      return {false, format("RUN_UNTIL_PLACE: value is beyond the scenario's end, %.3f km",
+                            now.end_location_m / rail::kMetresPerKilometre)};
     mode_ = Mode::kUntilPlace;
     until_place_m_ = location_m;
     return {true, format("runs until the leading locomotive is at %g km, then holds", value)};

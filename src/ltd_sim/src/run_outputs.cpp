@@ -28,11 +28,26 @@ void writeText(const std::string& path, const std::string& text) {
 
 RunOutputs::RunOutputs(const Scenario& scenario, const std::string& folder) : scenario_(scenario), folder_(folder) {
   makeDirectories(folder);
-  std::remove((folder + "/outcome.yaml").c_str());
+  removeOutputs(folder);
   writeText(folder + "/scenario.resolved.yaml", scenario.document.text());
   writers_.push_back(std::make_unique<SummaryWriter>(scenario, folder + "/summary.csv"));
   writers_.push_back(std::make_unique<TimeseriesWriter>(scenario, folder + "/timeseries.csv"));
   writers_.push_back(std::make_unique<SectionWriter>(scenario, folder + "/energy_sections.csv"));
+}
+
+void removeOutputs(const std::string& folder) {
+  for (const char* name :
+       {"outcome.yaml", "scenario.resolved.yaml", "summary.csv", "timeseries.csv", "energy_sections.csv"})
+    std::remove((folder + "/" + name).c_str());
+}
+
+void writeRefusal(const std::string& folder, const std::string& reason) {
+  makeDirectories(folder);
+  removeOutputs(folder);
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::kFailed;
+  outcome.reason = reason;
+  writeOutcome(folder, outcome, 0.0, 0.0, 0);
 }
 
 void RunOutputs::onStart(const TrainState& state) {

@@ -13,6 +13,10 @@ namespace {
 
 constexpr int kMostNotches = 100;  // chosen: more than any controller has, and a typing error is found
 
+// Chosen, wider than any locomotive: kilonewtons given for newtons, or kilowatts for watts, are noticed.
+const rail::Range kForces = rail::between(1e3, 1e7);
+const rail::Range kPowers = rail::between(1e4, 1e9);
+
 /// Rules of a traction table that a CSV reader cannot know; messages name the line.
 void checkTable(const rail::CsvTable& table, const std::string& file, rail::Problems& problems) {
   const auto refuse = [&](std::size_t row, std::size_t column, const std::string& rule) {
@@ -30,6 +34,10 @@ void checkTable(const rail::CsvTable& table, const std::string& file, rail::Prob
       if (j > 1 && table.rows[i][j] < table.rows[i][j - 1]) refuse(i, j, "must not fall with the notch");
     }
   }
+  double largest_N = 0.0;
+  for (const std::vector<double>& row : table.rows) largest_N = std::max(largest_N, row.back());
+  if (table.columns.size() > 1 && (largest_N < kForces.low || largest_N > kForces.high))
+    problems.add(file, table.columns.back(), allDigits(largest_N), "the largest force must be from 1e3 to 1e7 N");
   for (std::size_t j = 1; j < table.columns.size(); ++j) {
     const std::string expected = "notch_" + std::to_string(j) + "_N";
     if (table.columns[j] != expected) problems.add(file, "line 1: " + table.columns[j], "must be column " + expected);
@@ -61,9 +69,9 @@ TractionCharacteristic TractionCharacteristic::read(rail::YamlReader reader) {
     c.readTable(reader);
   } else {
     c.notches_ = reader.integer("notches", 1, kMostNotches);
-    c.largest_force_N_ = reader.number("largest_force_N", rail::positive());
+    c.largest_force_N_ = reader.number("largest_force_N", kForces);
     c.force_slope_N_s_per_m_ = reader.number("force_slope_N_s_per_m", rail::notNegative());
-    c.power_at_rail_W_ = reader.number("power_at_rail_W", rail::positive());
+    c.power_at_rail_W_ = reader.number("power_at_rail_W", kPowers);
   }
   c.rise_N_per_s_ = reader.number("rise_N_per_s", rail::positive());
   c.fall_N_per_s_ = reader.number("fall_N_per_s", rail::positive());

@@ -63,6 +63,17 @@ TEST(RunControlTest, RefusesWhatIsPassedOrImpossibleAndGoesOnAsBefore) {
   EXPECT_TRUE(control.mayBegin(at(0), 0.0));
 }
 
+TEST(RunControlTest, RefusesTargetsBeyondTheScenariosEndWhereItWouldNeverHold) {
+  RunControl control(false);
+  RunControl::Situation now = at(0);
+  now.end_time = 10 * rail::kNanosecondsPerSecond;
+  now.end_location_m = 4500.0;
+  EXPECT_FALSE(control.request("RUN_UNTIL_PLACE", 4.501, now, 0.0).accepted);
+  EXPECT_TRUE(control.request("RUN_UNTIL_PLACE", 4.5, now, 0.0).accepted);
+  EXPECT_FALSE(control.request("RUN_UNTIL_TIME", 10.1, now, 0.0).accepted);
+  EXPECT_TRUE(control.request("RUN_UNTIL_TIME", 10.0, now, 0.0).accepted);
+}
+
 TEST(RunControlTest, AnUnknownCommandIsAnsweredWithTheListOfThoseThatExist) {
   RunControl control(false);
   EXPECT_NE(control.request("GO", 0.0, at(0), 0.0).message.find("RUN_UNTIL_PLACE"), std::string::npos);

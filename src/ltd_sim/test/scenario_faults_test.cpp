@@ -50,7 +50,7 @@ TEST_F(ScenarioFaultTest, TheCopyItselfIsSound) { EXPECT_EQ(faults(), std::vecto
 TEST_F(ScenarioFaultTest, RefusesAMisspeltKeyWithTheOneThatWasMeant) {
   replace("config/vehicles/wagon_120t.yaml", "mass_kg:", "mas_kg:");
   EXPECT_EQ(faults(), (std::vector<std::string>{
-                          "vehicles/wagon_120t.yaml: mass_kg: is missing: must be a number > 0",
+                          "vehicles/wagon_120t.yaml: mass_kg: is missing: must be a number >= 1000 and <= 1000000",
                           "vehicles/wagon_120t.yaml: mas_kg = 120000: unknown key, did you mean 'mass_kg'?"}));
 }
 
@@ -71,7 +71,7 @@ TEST_F(ScenarioFaultTest, RefusesAnIllTypedValue) {
 
 TEST_F(ScenarioFaultTest, RefusesAnImpossibleValue) {
   EXPECT_EQ(faultOf("vehicles/wagon_120t.yaml", "mass_kg: 120000", "mass_kg: -120000"),
-            "vehicles/wagon_120t.yaml: mass_kg = -120000: must be a number > 0");
+            "vehicles/wagon_120t.yaml: mass_kg = -120000: must be a number >= 1000 and <= 1000000");
 }
 
 TEST_F(ScenarioFaultTest, RefusesATractionTableThatFalls) {

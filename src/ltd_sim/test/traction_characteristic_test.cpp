@@ -138,14 +138,18 @@ void expectFault(const std::string& text, const std::vector<std::string>& parts)
 }
 
 TEST(TractionTableTest, RefusesABadTableWithTheLineNumber) {
-  expectFault(tableText({"1, 100, 200", "36, 30, 80"}), {"line 2: speed_kmph = 1", "must start at 0"});
-  expectFault(tableText({"0, 100, 200", "36, 30, 80", "36, 20, 70"}), {"line 4: speed_kmph = 36", "must rise"});
-  expectFault(tableText({"0, 100, 200", "36, 130, 180"}), {"line 3: notch_1_N = 130", "must not rise with speed"});
-  expectFault(tableText({"0, 100, 200", "36, 90, 80"}), {"line 3: notch_2_N = 80", "must not fall with the notch"});
-  expectFault(tableText({"0, 100, 200", "36, -1, 80"}), {"line 3: notch_1_N = -1", ">= 0"});
-  expectFault(tableText({"0, 100, 200", "36, x, 80"}), {"line 3: notch_1_N = x", "must be a number"});
-  expectFault(tableText({"0, 100, 200", "36, 80"}), {"line 3", "has 2 cells"});
-  expectFault(tableText({"0, 100, 200"}), {"at least two rows"});
+  expectFault(tableText({"1, 100000, 200000", "36, 30000, 80000"}), {"line 2: speed_kmph = 1", "must start at 0"});
+  expectFault(tableText({"0, 100000, 200000", "36, 30000, 80000", "36, 20000, 70000"}),
+              {"line 4: speed_kmph = 36", "must rise"});
+  expectFault(tableText({"0, 100000, 200000", "36, 130000, 180000"}),
+              {"line 3: notch_1_N = 130000", "must not rise with speed"});
+  expectFault(tableText({"0, 100000, 200000", "36, 90000, 80000"}),
+              {"line 3: notch_2_N = 80000", "must not fall with the notch"});
+  expectFault(tableText({"0, 100000, 200000", "36, -1, 80000"}), {"line 3: notch_1_N = -1", ">= 0"});
+  expectFault(tableText({"0, 100000, 200000", "36, x, 80000"}), {"line 3: notch_1_N = x", "must be a number"});
+  expectFault(tableText({"0, 100000, 200000", "36, 80000"}), {"line 3", "has 2 cells"});
+  expectFault(tableText({"0, 100000, 200000"}), {"at least two rows"});
+  expectFault(tableText({"0, 100, 560", "36, 50, 80"}), {"notch_2_N = 560", "from 1e3 to 1e7 N"});  // kN
   expectFault(tableText(kGoodRows, "speed_kmph,notch_1_N,notch_3_N"), {"line 1: notch_3_N", "notch_2_N"});
   expectFault(tableText(kGoodRows, "speed_mps,notch_1_N,notch_2_N"), {"line 1", "must be 'speed_kmph'"});
 }
@@ -156,16 +160,17 @@ TEST(TractionTableTest, RefusesATableWithoutANotch) {
 
 TEST(TractionReadTest, RefusesImpossibleNumbersAndMixedLaws) {
   const std::string rates = ", rise_N_per_s: 1, fall_N_per_s: 1}";
-  expectFault("{law: hyperbola, notches: 8, largest_force_N: 1, force_slope_N_s_per_m: 0, power_at_rail_W: 1" + rates,
-              {"law = hyperbola", "limits, table"});
-  expectFault("{law: limits, notches: 0, largest_force_N: 1, force_slope_N_s_per_m: 0, power_at_rail_W: 1" + rates,
+  expectFault(
+      "{law: hyperbola, notches: 8, largest_force_N: 1e5, force_slope_N_s_per_m: 0, power_at_rail_W: 1e6" + rates,
+      {"law = hyperbola", "limits, table"});
+  expectFault("{law: limits, notches: 0, largest_force_N: 1e5, force_slope_N_s_per_m: 0, power_at_rail_W: 1e6" + rates,
               {"notches = 0"});
-  expectFault("{law: limits, notches: 8, largest_force_N: -1, force_slope_N_s_per_m: 0, power_at_rail_W: 1" + rates,
+  expectFault("{law: limits, notches: 8, largest_force_N: -1, force_slope_N_s_per_m: 0, power_at_rail_W: 1e6" + rates,
               {"largest_force_N = -1"});
-  expectFault("{law: limits, notches: 8, largest_force_N: 1, force_slope_N_s_per_m: 0, power_at_rail_W: 0" + rates,
+  expectFault("{law: limits, notches: 8, largest_force_N: 1e5, force_slope_N_s_per_m: 0, power_at_rail_W: 0" + rates,
               {"power_at_rail_W = 0"});
   expectFault(
-      "{law: limits, notches: 8, largest_force_N: 1, force_slope_N_s_per_m: 0, power_at_rail_W: 1, "
+      "{law: limits, notches: 8, largest_force_N: 1e5, force_slope_N_s_per_m: 0, power_at_rail_W: 1e6, "
       "rise_N_per_s: 0, fall_N_per_s: 1}",
       {"rise_N_per_s = 0"});
   expectFault(tableText(kGoodRows) + "notches: 2\n", {"notches", "unknown key"});

@@ -81,6 +81,8 @@ bool LtdNode::onJoin(train_msgs::JoinTrain::Request& request, train_msgs::JoinTr
   const std::lock_guard<std::mutex> guard(mutex_);
   const loco::JoinAnswer answer = lock_.onJoin(fromMsg(request), wallNow());
   toMsg(answer, response);
+  if (answer.accepted && begun_)
+    ROS_INFO("loco_%u has joined again for step %lu", request.locomotive, static_cast<unsigned long>(answer.step));
   if (!answer.accepted) sayOnce(request.node + " may not join: " + answer.reason);
   next_heartbeat_s_ = 0.0;
   news_.notify_one();
@@ -106,7 +108,8 @@ void LtdNode::onTraction(const train_msgs::LocoTraction& msg) {
 }
 
 RunControl::Situation LtdNode::situation() const {
-  return {cosimulation_->state().step, cosimulation_->time(), cosimulation_->leadingLocation()};
+  return {cosimulation_->state().step, cosimulation_->time(), cosimulation_->leadingLocation(), scenario_.run.end_time,
+          scenario_.run.end_location_m};
 }
 
 int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
@@ -134,6 +137,8 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
   const Outcome& outcome = cosimulation_->outcome();
   if (outcome.exitStatus() == 0) {
     ROS_INFO("%s: %s", toString(outcome.kind).c_str(), outcome.reason.c_str());
+  } else if (outcome.kind == Outcome::Kind::kStopped) {
+    ROS_WARN("stopped: %s", outcome.reason.c_str());
   } else {
     ROS_ERROR("%s: %s", toString(outcome.kind).c_str(), outcome.reason.c_str());
   }
@@ -142,7 +147,12 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
 }
 
 void LtdNode::publishStatus() {
-  last_phase_ = phase();
+  const std::uint8_t now = phase();
+  if (now == train_msgs::TrainStatus::HELD && now != last_phase_)
+    ROS_INFO("held at %.3f km, %.3f s, step %lu; go on with: rosservice call /train/step_lock RUN 0",
+             cosimulation_->leadingLocation() / rail::kMetresPerKilometre, rail::toSeconds(cosimulation_->time()),
+             static_cast<unsigned long>(cosimulation_->state().step));
+  last_phase_ = now;
   status_.publish(last_phase_, id_, lock_.waitsFor(wallNow(), kPatience_s), *cosimulation_, lock_, progress_.last());
 }
 

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "ltd_node.hpp"
-#include "ltd_sim/csv_file.hpp"
 
 namespace ltd {
 
@@ -59,11 +58,7 @@ int leaveReason(const std::string& out, const std::string& reason, int status) {
   ROS_FATAL("%s", reason.c_str());
   if (!out.empty()) {
     try {
-      makeDirectories(out);
-      Outcome outcome;
-      outcome.kind = Outcome::Kind::kFailed;
-      outcome.reason = reason;
-      writeOutcome(out, outcome, 0.0, 0.0, 0);
+      writeRefusal(out, reason);
     } catch (const std::exception& error) {
       ROS_FATAL("%s", error.what());
     }
