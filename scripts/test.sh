@@ -60,6 +60,8 @@ cmake -S "$REPO/without_ros" -B "$REPO/build_plain" -DCMAKE_BUILD_TYPE=Release -
 cmake --build "$REPO/build_plain" -j "$(parallel_jobs)" || not_built "the build without ROS (see the first error above)"
 
 stop_time=$(date -d "+$all_tests_limit" +%H:%M:%S)
+# In a fresh checkout catkin's own environment for tests, made before anything was built, lacks the Python packages.
+source_setup "$REPO/devel/setup.bash"
 run_tests "$REPO/build"
 run_tests "$REPO/build_plain"
 "$PYTHON" "$REPO/scripts/count_tests.py" --source "$REPO/src" "$REPO/build" "$REPO/build_plain"

@@ -47,7 +47,7 @@ double readAdhesionLimit(rail::YamlReader& reader) {
 
 std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const std::string& key,
                                            rail::Problems& problems) {
-  const std::size_t problems_before = problems.lines().size();
+  const std::size_t problems_before = problems.count();
   rail::YamlReader root(scenario, problems);
   root.choice("locomotive_model", knownModels());
   const bool rotary_inertia = root.boolean("rotary_inertia");
@@ -58,7 +58,7 @@ std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const
   parameters.mass_kg = vehicle.mass_kg;
   parameters.inertial_mass_kg = vehicle.inertialMass(rotary_inertia);
   parameters.adhesion_limit = readAdhesionLimit(reader);
-  if (problems.lines().size() != problems_before) return nullptr;
+  if (problems.count() != problems_before) return nullptr;
   return std::make_unique<Loco1d>(parameters);
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <utility>
 
 #include "rail_core/constants.hpp"
@@ -44,7 +45,9 @@ Cosimulation::Cosimulation(const Scenario& scenario, std::vector<loco::LocoPort*
 }
 
 void Cosimulation::start() {
-  for (RunObserver* observer : observers_) observer->onStart(state_);
+  guarded([this] {
+    for (RunObserver* observer : observers_) observer->onStart(state_);
+  });
 }
 
 void Cosimulation::begin() {
@@ -84,9 +87,11 @@ bool Cosimulation::tryCommit() {
   if (time() % scenario_.output.telemetry_interval == 0 || time() % scenario_.output.timeseries_interval == 0)
     dynamics_.updateStoredEnergies(state_);
   const StepRecord record{before_, state_, forces_, loco_forces_, answers_};
-  for (RunObserver* observer : observers_) observer->onStep(record);
   under_way_ = false;
-  checkEnd();
+  guarded([&] {
+    for (RunObserver* observer : observers_) observer->onStep(record);
+  });
+  if (!outcome_.ended()) checkEnd();
   return true;
 }
 
@@ -113,11 +118,11 @@ std::string Cosimulation::checkSpeeds() {
 
 void Cosimulation::checkEnd() {
   const int off = dynamics_.vehicleOffTrack(state_);
-  if (off >= 0) {
+  if (leadingLocation() >= scenario_.run.end_location_m) {
+    end(Outcome::Kind::kFinished, "reached " + kilometres(scenario_.run.end_location_m));
+  } else if (off >= 0) {
     end(Outcome::Kind::kFailed, "vehicle " + std::to_string(off + 1) + " left the track at " +
                                     kilometres(state_.s_m[static_cast<std::size_t>(off)]));
-  } else if (leadingLocation() >= scenario_.run.end_location_m) {
-    end(Outcome::Kind::kFinished, "reached " + kilometres(scenario_.run.end_location_m));
   } else if (time() >= scenario_.run.end_time) {
     char text[48];
     std::snprintf(text, sizeof text, "reached the end time %g s", rail::toSeconds(scenario_.run.end_time));
@@ -144,7 +149,22 @@ void Cosimulation::end(Outcome::Kind kind, const std::string& reason) {
   outcome_.kind = kind;
   outcome_.reason = reason;
   dynamics_.updateStoredEnergies(state_);
-  for (RunObserver* observer : observers_) observer->onEnd(state_, outcome_);
+  for (RunObserver* observer : observers_) {
+    try {
+      observer->onEnd(state_, outcome_);
+    } catch (const std::exception& error) {
+      outcome_.kind = Outcome::Kind::kFailed;
+      outcome_.reason = error.what();
+    }
+  }
+}
+
+void Cosimulation::guarded(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::exception& error) {
+    end(Outcome::Kind::kFailed, error.what());
+  }
 }
 
 }  // namespace ltd

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ltd_sim/csv_file.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/csv_table.hpp"
 
@@ -16,31 +17,36 @@ constexpr const char* kLead = "lead";
 
 std::vector<Driver::Entry> Driver::readNotches(rail::YamlReader& reader, bool over_time, int largest_notch) {
   std::vector<std::vector<double>> rows;
-  std::vector<std::string> places;  // how a message names row i
-  std::string file = reader.file();
-  if (reader.has("notches_table")) {
-    file = reader.file("notches_table");
-    const rail::CsvTable csv = rail::readCsv(reader.text("notches_table"), file,
+  std::vector<int> lines;  // of the CSV; empty if the notches stand in the YAML
+  const bool table = reader.has("notches_table");
+  if (table) {
+    const rail::CsvTable csv = rail::readCsv(reader.text("notches_table"), reader.file("notches_table"),
                                              {over_time ? "time_s" : "location_km", "notch"}, reader.problems());
     rows = csv.rows;
-    for (const int line : csv.line_of_row) places.push_back("line " + std::to_string(line));
+    lines = csv.line_of_row;
     if (reader.has("notches")) {
       reader.rows("notches", 2);
       reader.refuse("notches", "must not stand beside notches_table");
     }
   } else {
     rows = reader.rows("notches", 2);
-    for (std::size_t i = 0; i < rows.size(); ++i) places.push_back("driver.notches." + std::to_string(i));
     if (rows.empty() && reader.has("notches")) reader.refuse("notches", "must have at least one entry [from, notch]");
   }
+  const auto refuse = [&](std::size_t row, std::size_t column, const std::string& rule) {
+    if (!table) {
+      reader.refuse("notches." + std::to_string(row) + "." + std::to_string(column), rule);
+    } else {
+      const std::string name = column == 1 ? "notch" : over_time ? "time_s" : "location_km";
+      reader.problems().add(reader.file("notches_table"), "line " + std::to_string(lines[row]) + ": " + name,
+                            allDigits(rows[row][column]), rule);
+    }
+  };
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double notch = rows[i][1];
-    if (i > 0 && rows[i][0] <= rows[i - 1][0])
-      reader.problems().add(file, places[i], std::to_string(rows[i][0]), "must be after the entry before it");
+    if (i > 0 && rows[i][0] <= rows[i - 1][0]) refuse(i, 0, "must be after the entry before it");
     if (notch != std::floor(notch) || notch < 0.0 || notch > largest_notch)
-      reader.problems().add(file, places[i], std::to_string(notch),
-                            "must be a whole notch from 0 to " + std::to_string(largest_notch));
+      refuse(i, 1, "must be a whole notch from 0 to " + std::to_string(largest_notch));
     entries.push_back({over_time ? rows[i][0] : rows[i][0] * rail::kMetresPerKilometre, static_cast<int>(notch)});
   }
   return entries;

@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 
 #include "loco_dynamics/local_port.hpp"
@@ -110,16 +112,32 @@ std::vector<std::string> sweepRow(const std::string& name, const std::vector<rai
   return cells;
 }
 
+/// All are checked before the first one runs. @throws rail::ConfigError with the problems of all of them.
+std::vector<Scenario> loadAll(const std::string& file, const std::vector<std::vector<rail::Override>>& combinations) {
+  std::vector<Scenario> scenarios;
+  std::vector<std::string> lines;
+  for (const std::vector<rail::Override>& overrides : combinations) {
+    try {
+      scenarios.push_back(Scenario::load(file, overrides));
+    } catch (const rail::ConfigError& error) {
+      for (const std::string& line : error.lines())
+        if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+    }
+  }
+  if (!lines.empty()) throw rail::ConfigError(lines);
+  return scenarios;
+}
+
 int runAll(const OfflineArguments& arguments, const BagFactory& bag_factory) {
   const std::vector<std::vector<rail::Override>> combinations = arguments.combinations();
-  std::vector<Scenario> scenarios;  // all are checked before the first one runs
-  for (const std::vector<rail::Override>& overrides : combinations)
-    scenarios.push_back(Scenario::load(arguments.scenario, overrides));
+  const std::vector<Scenario> scenarios = loadAll(arguments.scenario, combinations);
   if (scenarios.size() == 1) {
     const RunResult run = runOnce(scenarios.front(), arguments.out, bag_factory);
     tell(scenarios.front(), run, arguments.out);
     return run.outcome.exitStatus();
   }
+  std::printf("%zu runs, one for each combination of the values given to --set (a comma separates values)\n",
+              scenarios.size());
   makeDirectories(arguments.out);
   CsvFile sweep(arguments.out + "/sweep.csv", sweepColumns(arguments));
   int status = 0;
@@ -157,6 +175,7 @@ int runOffline(const std::vector<std::string>& command_line, const BagFactory& b
     return runAll(arguments, arguments.bag ? bag_factory : BagFactory());
   } catch (const rail::ConfigError& error) {
     std::cerr << error.what() << '\n';
+    if (std::filesystem::exists(arguments.out + "/outcome.yaml")) writeRefusal(arguments.out, error.what());
     return 2;
   } catch (const std::exception& error) {
     std::cerr << "ltd_offline: " << error.what() << '\n';

@@ -44,7 +44,12 @@ std::string OfflineArguments::parse(const std::vector<std::string>& arguments) {
       const std::string key = arguments[i].substr(0, equals);
       auto known = std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.first == key; });
       if (known == sets.end()) known = sets.insert(sets.end(), {key, {}});
-      for (const std::string& value : splitValues(arguments[i].substr(equals + 1))) known->second.push_back(value);
+      for (const std::string& value : splitValues(arguments[i].substr(equals + 1))) {
+        if (std::find(known->second.begin(), known->second.end(), value) != known->second.end())
+          return "--set " + arguments[i] + ": gives the value " + value +
+                 " twice; a comma separates values, a run each";
+        known->second.push_back(value);
+      }
     } else if (!a.empty() && a[0] == '-') {
       return a + ": unknown option";
     } else if (scenario.empty()) {

@@ -10,7 +10,9 @@ namespace ltd {
 
 namespace {
 constexpr std::uint64_t kStepsBetweenLooks = 16;  // at the clock: a look costs more than it tells at every step
-}
+constexpr double kHeld_s =
+    1.0;  // chosen: so few steps take that long only if somebody held the train or kept it waiting
+}  // namespace
 
 std::string toString(const Progress& p) {
   char text[160];
@@ -32,13 +34,19 @@ ProgressMeter::ProgressMeter(const Scenario& scenario, double interval_s, Report
       lead_(scenario.train.locomotives.front().vehicle) {}
 
 void ProgressMeter::onStart(const TrainState& state) {
-  last_report_ = Clock::now();
+  last_report_ = last_look_ = Clock::now();
   last_time_s_ = static_cast<double>(state.step) * rail::toSeconds(scenario_.macro_step);
 }
 
 void ProgressMeter::onStep(const StepRecord& record) {
   if (record.after.step % kStepsBetweenLooks != 0) return;
   const Clock::time_point now = Clock::now();
+  const bool was_held = std::chrono::duration<double>(now - last_look_).count() > kHeld_s;
+  last_look_ = now;
+  if (was_held) {
+    last_report_ = now;  // the speed is that of a train that runs
+    last_time_s_ = static_cast<double>(record.after.step) * rail::toSeconds(scenario_.macro_step);
+  }
   const double wall_s = std::chrono::duration<double>(now - last_report_).count();
   if (wall_s < interval_s_) return;
   progress_.time_s = static_cast<double>(record.after.step) * rail::toSeconds(scenario_.macro_step);

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kLargestCount = 1e15;  // of steps and nanoseconds times 1e3: far beyond any run, and exact in a double
 
+constexpr double kLongestLag_s = 0.1;  // of wall time that a paced run may catch up: what was waited for is not
+
 std::string format(const char* pattern, double value) {
   char text[160];
   std::snprintf(text, sizeof text, pattern, value);
@@ -56,6 +58,9 @@ RunControl::Reply RunControl::setTarget(const std::string& command, double value
   if (command == "RUN_UNTIL_TIME") {
     if (!(value > rail::toSeconds(now.time) && value * 1e9 <= kLargestCount * 1e3))
       return {false, format("RUN_UNTIL_TIME: value must be a time [s] after now, %.3f s", rail::toSeconds(now.time))};
+    if (value > rail::toSeconds(now.end_time))
+      return {false,
+              format("RUN_UNTIL_TIME: value is after the scenario's end, %.3f s", rail::toSeconds(now.end_time))};
     mode_ = Mode::kUntilTime;
     until_time_ = static_cast<rail::Nanoseconds>(std::llround(value * 1e9));
     return {true, format("runs until %g s, then holds", value)};
@@ -65,6 +70,9 @@ RunControl::Reply RunControl::setTarget(const std::string& command, double value
     if (!std::isfinite(value) || location_m <= now.location_m)
       return {false, format("RUN_UNTIL_PLACE: value must be a place [km] ahead of the leading locomotive at %.3f km",
                             now.location_m / rail::kMetresPerKilometre)};
+    if (location_m > now.end_location_m)
+      return {false, format("RUN_UNTIL_PLACE: value is beyond the scenario's end, %.3f km",
+                            now.end_location_m / rail::kMetresPerKilometre)};
     mode_ = Mode::kUntilPlace;
     until_place_m_ = location_m;
     return {true, format("runs until the leading locomotive is at %g km, then holds", value)};
@@ -78,13 +86,18 @@ bool RunControl::mayBegin(const Situation& now, double wall_s) {
                        (mode_ == Mode::kUntilTime && now.time >= until_time_) ||
                        (mode_ == Mode::kUntilPlace && now.location_m >= until_place_m_);
   if (reached) mode_ = Mode::kHold;
-  return mode_ != Mode::kHold && !stop_ && paceWait(now, wall_s) <= 0.0;
+  if (mode_ == Mode::kHold || stop_ || paceWait(now, wall_s) > 0.0) return false;
+  if (pace_ > 0.0 && wall_s - due_s(now) > kLongestLag_s) restartPace(now, wall_s);
+  return true;
+}
+
+double RunControl::due_s(const Situation& now) const {
+  return pace_wall_s_ + rail::toSeconds(now.time - pace_time_) / pace_;
 }
 
 double RunControl::paceWait(const Situation& now, double wall_s) const {
   if (pace_ <= 0.0 || mode_ == Mode::kHold) return 0.0;
-  const double due_s = pace_wall_s_ + rail::toSeconds(now.time - pace_time_) / pace_;
-  return std::max(0.0, due_s - wall_s);
+  return std::max(0.0, due_s(now) - wall_s);
 }
 
 void RunControl::restartPace(const Situation& now, double wall_s) {

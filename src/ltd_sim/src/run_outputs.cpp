@@ -28,11 +28,26 @@ void writeText(const std::string& path, const std::string& text) {
 
 RunOutputs::RunOutputs(const Scenario& scenario, const std::string& folder) : scenario_(scenario), folder_(folder) {
   makeDirectories(folder);
-  std::remove((folder + "/outcome.yaml").c_str());
+  removeOutputs(folder);
   writeText(folder + "/scenario.resolved.yaml", scenario.document.text());
   writers_.push_back(std::make_unique<SummaryWriter>(scenario, folder + "/summary.csv"));
   writers_.push_back(std::make_unique<TimeseriesWriter>(scenario, folder + "/timeseries.csv"));
   writers_.push_back(std::make_unique<SectionWriter>(scenario, folder + "/energy_sections.csv"));
+}
+
+void removeOutputs(const std::string& folder) {
+  for (const char* name :
+       {"outcome.yaml", "scenario.resolved.yaml", "summary.csv", "timeseries.csv", "energy_sections.csv"})
+    std::remove((folder + "/" + name).c_str());
+}
+
+void writeRefusal(const std::string& folder, const std::string& reason) {
+  makeDirectories(folder);
+  removeOutputs(folder);
+  Outcome outcome;
+  outcome.kind = Outcome::Kind::kFailed;
+  outcome.reason = reason;
+  writeOutcome(folder, outcome, 0.0, 0.0, 0);
 }
 
 void RunOutputs::onStart(const TrainState& state) {
@@ -44,9 +59,18 @@ void RunOutputs::onStep(const StepRecord& record) {
 }
 
 void RunOutputs::onEnd(const TrainState& state, const Outcome& outcome) {
-  for (const auto& writer : writers_) writer->onEnd(state, outcome);
-  writeOutcome(folder_, outcome, static_cast<double>(state.step) * rail::toSeconds(scenario_.macro_step),
+  Outcome told = outcome;
+  for (const auto& writer : writers_) {
+    try {
+      writer->onEnd(state, outcome);
+    } catch (const std::exception& error) {
+      told.kind = Outcome::Kind::kFailed;
+      told.reason = error.what();
+    }
+  }
+  writeOutcome(folder_, told, static_cast<double>(state.step) * rail::toSeconds(scenario_.macro_step),
                state.s_m[scenario_.train.locomotives.front().vehicle] / rail::kMetresPerKilometre, state.step);
+  if (told.kind != outcome.kind) throw std::runtime_error(told.reason);
 }
 
 void writeOutcome(const std::string& folder, const Outcome& outcome, double time_s, double location_km,

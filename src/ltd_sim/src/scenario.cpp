@@ -19,30 +19,44 @@ std::string format(double x) {
 
 rail::Nanoseconds readTime(rail::YamlReader& reader, const std::string& key, const rail::Range& range) {
   const std::optional<rail::Nanoseconds> t = rail::wholeNanoseconds(reader.number(key, range));
-  if (!t) reader.refuse(key, "must be a whole number of nanoseconds");
-  return t.value_or(1);
+  if (t && *t > 0) return *t;
+  reader.refuse(key, "must be a whole number of nanoseconds, at least one");
+  return 1;
+}
+
+/// Reads and says whether nothing was wrong: only what is known may be compared with something else, or a fault would
+/// accuse what is sound beside it.
+template <typename Read>
+bool isSound(const rail::Problems& problems, Read read) {
+  const std::size_t before = problems.count();
+  read();
+  return problems.count() == before;
 }
 
 RunLimits readRun(rail::YamlReader reader) {
   RunLimits run;
-  run.start_location_m = reader.number("start_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
+  const bool places_known = isSound(reader.problems(), [&] {
+    run.start_location_m = reader.number("start_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
+    run.end_location_m = reader.number("end_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
+  });
   run.start_speed_mps = reader.number("start_speed_kmph", rail::between(0.0, 400.0)) / rail::kKmphPerMps;
-  run.end_location_m = reader.number("end_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
   run.end_time = readTime(reader, "end_time_s", rail::aboveUpTo(0.0, 1e6));
   rail::YamlReader stall = reader.map("stall");
   run.stall_speed_mps = stall.number("speed_below_mps", rail::notNegative());
   run.stall_time = readTime(stall, "for_s", rail::aboveUpTo(0.0, 1e5));
   stall.finish();
-  if (reader.present() && run.end_location_m <= run.start_location_m)
+  if (places_known && run.end_location_m <= run.start_location_m)
     reader.refuse("end_location_km", "must be ahead of start_location_km");
   reader.finish();
   return run;
 }
 
 void readSteps(rail::YamlReader reader, Scenario& scenario) {
-  scenario.macro_step = readTime(reader, "macro_step_s", rail::aboveUpTo(0.0, 1.0));
-  scenario.micro_step = readTime(reader, "micro_step_s", rail::aboveUpTo(0.0, 1.0));
-  if (reader.present() && scenario.macro_step % scenario.micro_step != 0)
+  const bool known = isSound(reader.problems(), [&] {
+    scenario.macro_step = readTime(reader, "macro_step_s", rail::aboveUpTo(0.0, 1.0));
+    scenario.micro_step = readTime(reader, "micro_step_s", rail::aboveUpTo(0.0, 1.0));
+  });
+  if (known && scenario.macro_step % scenario.micro_step != 0)
     reader.refuse("macro_step_s",
                   "must be a whole multiple of micro_step_s = " + format(rail::toSeconds(scenario.micro_step)));
   reader.finish();
@@ -57,32 +71,45 @@ LockLimits readLock(rail::YamlReader reader) {
   return lock;
 }
 
+/// Where places may lie, if that is known.
+struct Bounds {
+  bool known = false;
+  double from_m = 0.0, to_m = 0.0;
+};
+
 /// Places beyond the end of the run are allowed, so that a run may be shortened without touching them.
-std::vector<double> readLocations(rail::YamlReader& reader, const std::string& key, const RunLimits& run,
-                                  double track_end_m) {
+std::vector<double> readLocations(rail::YamlReader& reader, const std::string& key, const Bounds& bounds) {
   std::vector<double> locations_m;
-  for (const double km : reader.numbers(key, rail::anyNumber())) {
-    const double s_m = km * rail::kMetresPerKilometre;
-    if (!locations_m.empty() && s_m <= locations_m.back()) reader.refuse(key, "must rise");
-    if (s_m < run.start_location_m || s_m > track_end_m)
-      reader.refuse(key, format(km) + " is not between run.start_location_km and the end of the track");
-    locations_m.push_back(s_m);
+  const bool known = isSound(reader.problems(), [&] {
+    for (const double km : reader.numbers(key, rail::anyNumber()))
+      locations_m.push_back(km * rail::kMetresPerKilometre);
+  });
+  if (!known) return locations_m;
+  for (std::size_t i = 0; i < locations_m.size(); ++i) {
+    if (i > 0 && locations_m[i] <= locations_m[i - 1]) reader.refuse(key, "must rise");
+    if (bounds.known && (locations_m[i] < bounds.from_m || locations_m[i] > bounds.to_m))
+      reader.refuse(key, format(locations_m[i] / rail::kMetresPerKilometre) +
+                             " is not between run.start_location_km and the end of the track");
   }
   return locations_m;
 }
 
-OutputOptions readOutput(rail::YamlReader reader, const Scenario& scenario) {
+rail::Nanoseconds readInterval(rail::YamlReader& reader, const std::string& key, rail::Nanoseconds macro_step,
+                               bool step_known) {
+  rail::Nanoseconds interval = 0;
+  const bool known =
+      isSound(reader.problems(), [&] { interval = readTime(reader, key, rail::positive()); }) && step_known;
+  if (known && interval % macro_step != 0) reader.refuse(key, "must be a whole multiple of steps.macro_step_s");
+  return interval;
+}
+
+OutputOptions readOutput(rail::YamlReader reader, const Bounds& bounds, rail::Nanoseconds macro_step, bool step_known) {
   OutputOptions output;
-  output.report_locations_m = readLocations(reader, "report_locations_km", scenario.run, scenario.track.end_m());
-  output.section_boundaries_m = readLocations(reader, "section_boundaries_km", scenario.run, scenario.track.end_m());
-  output.timeseries_interval = readTime(reader, "timeseries_interval_s", rail::positive());
-  output.telemetry_interval = readTime(reader, "telemetry_interval_s", rail::positive());
+  output.report_locations_m = readLocations(reader, "report_locations_km", bounds);
+  output.section_boundaries_m = readLocations(reader, "section_boundaries_km", bounds);
+  output.timeseries_interval = readInterval(reader, "timeseries_interval_s", macro_step, step_known);
+  output.telemetry_interval = readInterval(reader, "telemetry_interval_s", macro_step, step_known);
   output.record_exchange = reader.boolean("record_exchange");
-  for (const char* key : {"timeseries_interval_s", "telemetry_interval_s"}) {
-    const rail::Nanoseconds t =
-        std::string(key) == "timeseries_interval_s" ? output.timeseries_interval : output.telemetry_interval;
-    if (t % scenario.macro_step != 0) reader.refuse(key, "must be a whole multiple of steps.macro_step_s");
-  }
   reader.finish();
   return output;
 }
@@ -109,8 +136,9 @@ void checkPlaces(rail::YamlReader& root, const Scenario& scenario) {
     run.refuse("start_location_km", "the train would stand from " + format(rear_m / rail::kMetresPerKilometre) +
                                         " to " + format(front_m / rail::kMetresPerKilometre) + " km, beyond the track" +
                                         track);
-  if (scenario.run.end_location_m > scenario.track.end_m())
-    run.refuse("end_location_km", "is beyond the track" + track);
+  const double ahead_m = front_m - scenario.run.start_location_m;  // of vehicles before the leading locomotive
+  if (scenario.run.end_location_m + ahead_m > scenario.track.end_m())
+    run.refuse("end_location_km", "the head of the train would be beyond the track" + track);
 }
 
 /// The couplers' friction and stiffness bound the macro step; see computeStepBound.
@@ -138,21 +166,23 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
 
   rail::YamlReader root(scenario.document, problems);
   scenario.name = root.text("name");
+  if (scenario.name.find('/') != std::string::npos || scenario.name.substr(0, 1) == ".")
+    root.refuse("name", "names the bag, so it must not hold '/' nor begin with '.'");
   root.text("description");
   scenario.locomotive_model = root.choice("locomotive_model", loco::knownModels());
   scenario.rotary_inertia = root.boolean("rotary_inertia");
-  readSteps(root.map("steps"), scenario);
-  scenario.run = readRun(root.map("run"));
+  const bool step_known = isSound(problems, [&] { readSteps(root.map("steps"), scenario); });
+  const bool run_known = isSound(problems, [&] { scenario.run = readRun(root.map("run")); });
   scenario.lock = readLock(root.map("lock"));
-  scenario.train = TrainModel::read(root.map("train"), scenario.rotary_inertia);
-  scenario.track = rail::Track::read(root.map("track"));
+  const bool train_known =
+      isSound(problems, [&] { scenario.train = TrainModel::read(root.map("train"), scenario.rotary_inertia); });
+  const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
   scenario.driver = readDriver(root.map("driver"), scenario.train);
-  scenario.output = readOutput(root.map("output"), scenario);
+  const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};
+  scenario.output = readOutput(root.map("output"), bounds, scenario.macro_step, step_known);
   root.finish();
-  if (problems.empty()) {
-    checkPlaces(root, scenario);
-    checkStep(root, scenario);
-  }
+  if (train_known && run_known && track_known) checkPlaces(root, scenario);
+  if (train_known && step_known) checkStep(root, scenario);
   problems.throwIfAny();
   return scenario;
 }

@@ -26,6 +26,10 @@ class StepLock::Slot : public loco::LocoPort {
   }
 
   void send(const loco::LocoForce& force, const std::vector<double>& state) override {
+    if (answered_) {
+      committed_step_ = answer_.step;
+      committed_digest_ = loco::payloadDigest(answer_);
+    }
     message_.force = force;
     state_ = &state;
     location_m_ = force.location_m;
@@ -52,7 +56,9 @@ class StepLock::Slot : public loco::LocoPort {
   bool asked_ = false, answered_ = false;
   bool must_join_again_ = false;
   bool send_at_once_ = false;
+  std::uint64_t committed_step_ = ~std::uint64_t{0}, committed_digest_ = 0;
   std::string node_;
+  std::string refused_;  ///< why somebody may not have this place, for as long as nobody has it
   double location_m_ = 0.0, speed_mps_ = 0.0;
   double asked_since_s_ = -1.0, sent_s_ = -1.0;
 };
@@ -93,8 +99,8 @@ std::string StepLock::refusalOf(const loco::JoinRequest& request, double now_s, 
     return "there is no loco_" + std::to_string(request.locomotive) + " in this train, it has " +
            std::to_string(slots_.size()) + " locomotives";
   const Slot& slot = *slots_[request.locomotive - 1];
-  const bool deadline_passed = slot.waiting() && slot.waited_s(now_s) > settings_.answer_deadline_s;
-  if (!slot.joined() || slot.node_ == request.node || deadline_passed || !connected_(request.locomotive - 1)) return {};
+  const bool gave_up = slot.waiting() && slot.waited_s(now_s) > 0.5 * settings_.answer_deadline_s;
+  if (!slot.joined() || slot.node_ == request.node || gave_up || !connected_(request.locomotive - 1)) return {};
   wait = true;
   return nameOf(request.locomotive - 1) + " is taken by " + slot.node_;
 }
@@ -102,8 +108,13 @@ std::string StepLock::refusalOf(const loco::JoinRequest& request, double now_s, 
 loco::JoinAnswer StepLock::onJoin(const loco::JoinRequest& request, double now_s) {
   loco::JoinAnswer answer;
   answer.reason = refusalOf(request, now_s, answer.wait);
-  if (!answer.reason.empty()) return answer;
+  if (!answer.reason.empty()) {
+    if (request.locomotive >= 1 && request.locomotive <= slots_.size() && !answer.wait)
+      slots_[request.locomotive - 1]->refused_ = " (" + request.node + " was refused: " + answer.reason + ")";
+    return answer;
+  }
   Slot& slot = *slots_[request.locomotive - 1];
+  slot.refused_.clear();
   slot.node_ = request.node;
   slot.must_join_again_ = false;
   slot.message_.id.incarnation = ++last_incarnation_;
@@ -136,8 +147,7 @@ std::string StepLock::refusalOf(const loco::TractionMessage& message) const {
   if (!slot.asked_ || message.traction.step > slot.message_.force.step) return "a step that was not asked for";
   if (message.kind != loco::TractionMessage::Kind::kAnswer) return {};
   if (!loco::allFinite(message.traction)) return "not a number";
-  if (slot.state_ != nullptr && !slot.state_->empty() && message.traction.state.size() != slot.state_->size())
-    return "a state of another length";
+  if (message.traction.state.size() != settings_.state_sizes[slot.index_]) return "a state of another length";
   return {};
 }
 
@@ -152,19 +162,19 @@ void StepLock::onTraction(const loco::TractionMessage& message) {
     slot.must_join_again_ = true;
     return;
   }
-  if (message.traction.step < slot.message_.force.step) {
-    ++counters_.repeated;  // an echo of a step that is committed
-    return;
-  }
-  if (!slot.answered_) {
+  const bool under_way = message.traction.step == slot.message_.force.step;
+  if (under_way && !slot.answered_) {
     slot.answer_ = message.traction;
     slot.answered_ = true;
-  } else if (loco::samePayload(slot.answer_, message.traction)) {
-    ++counters_.repeated;
-  } else {
+    return;
+  }
+  ++counters_.repeated;  // an echo, which must say the same; of older steps than the last nothing is kept
+  const std::uint64_t digest = loco::payloadDigest(message.traction);
+  const bool same = under_way ? digest == loco::payloadDigest(slot.answer_)
+                              : message.traction.step != slot.committed_step_ || digest == slot.committed_digest_;
+  if (!same)
     fail(nameOf(slot.index_) + " is not deterministic: two different answers to step " +
          std::to_string(message.traction.step));
-  }
 }
 
 void StepLock::tick(double now_s) {
@@ -172,7 +182,7 @@ void StepLock::tick(double now_s) {
   for (const auto& slot : slots_) {
     if (!slot->waiting()) {
       if (!slot->joined() && !slot->asked_ && now_s - started_s_ > settings_.join_deadline_s)
-        fail(nameOf(slot->index_) + " has not joined within " + seconds(settings_.join_deadline_s));
+        fail(nameOf(slot->index_) + " has not joined within " + seconds(settings_.join_deadline_s) + slot->refused_);
       continue;
     }
     if (slot->asked_since_s_ < 0.0) slot->asked_since_s_ = slot->sent_s_ = now_s;
@@ -196,7 +206,7 @@ std::string StepLock::waitsFor(double now_s, double patience_s) const {
       what = (slot->joined() ? " has not answered step " : " has left in step ") +
              std::to_string(slot->message_.force.step) + " for " + seconds(slot->waited_s(now_s));
     } else if (!slot->joined() && !slot->asked_ && started_s_ >= 0.0 && now_s - started_s_ >= patience_s) {
-      what = " has not joined";
+      what = " has not joined" + slot->refused_;
     }
     if (!what.empty()) names += (names.empty() ? "" : ", ") + nameOf(slot->index_) + what;
   }

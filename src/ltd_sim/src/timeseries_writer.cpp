@@ -41,7 +41,7 @@ void TimeseriesWriter::writeRow(const TrainState& state, int notch) {
              allDigits(state.v_mps[lead]), std::to_string(notch), allDigits(state.traction_N.front()),
              allDigits(force_N), allDigits(power_W), allDigits(state.account.traction_rail),
              allDigits(state.account.traction_rim), allDigits(draft_.force_N), coupler(draft_),
-             allDigits(-buff_.force_N), coupler(buff_)});
+             allDigits(0.0 - buff_.force_N), coupler(buff_)});  // 0 - x: of nothing it makes 0, not -0
   draft_ = {};
   buff_ = {};
 }

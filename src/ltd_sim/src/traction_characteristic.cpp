@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "ltd_sim/csv_file.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/csv_table.hpp"
 
@@ -10,11 +11,17 @@ namespace ltd {
 
 namespace {
 
+constexpr int kMostNotches = 100;  // chosen: more than any controller has, and a typing error is found
+
+// Chosen, wider than any locomotive: kilonewtons given for newtons, or kilowatts for watts, are noticed.
+const rail::Range kForces = rail::between(1e3, 1e7);
+const rail::Range kPowers = rail::between(1e4, 1e9);
+
 /// Rules of a traction table that a CSV reader cannot know; messages name the line.
 void checkTable(const rail::CsvTable& table, const std::string& file, rail::Problems& problems) {
   const auto refuse = [&](std::size_t row, std::size_t column, const std::string& rule) {
     problems.add(file, "line " + std::to_string(table.line_of_row[row]) + ": " + table.columns[column],
-                 std::to_string(table.rows[row][column]), rule);
+                 allDigits(table.rows[row][column]), rule);
   };
   if (table.columns.size() < 2) problems.add(file, "line 1", "must have a column notch_1_N");
   if (table.rows.size() < 2) problems.add(file, "speed_kmph", "must have at least two rows");
@@ -27,28 +34,48 @@ void checkTable(const rail::CsvTable& table, const std::string& file, rail::Prob
       if (j > 1 && table.rows[i][j] < table.rows[i][j - 1]) refuse(i, j, "must not fall with the notch");
     }
   }
+  double largest_N = 0.0;
+  for (const std::vector<double>& row : table.rows) largest_N = std::max(largest_N, row.back());
+  if (table.columns.size() > 1 && (largest_N < kForces.low || largest_N > kForces.high))
+    problems.add(file, table.columns.back(), allDigits(largest_N), "the largest force must be from 1e3 to 1e7 N");
   for (std::size_t j = 1; j < table.columns.size(); ++j) {
     const std::string expected = "notch_" + std::to_string(j) + "_N";
     if (table.columns[j] != expected) problems.add(file, "line 1: " + table.columns[j], "must be column " + expected);
   }
 }
 
+/// Largest F v of a force that is linear in v between its points [W]: at a point, or where the parabola between two of
+/// them has its vertex.
+double largestPower(const std::vector<double>& v_mps, const std::vector<double>& F_N) {
+  double power_W = 0.0;
+  for (std::size_t i = 0; i < v_mps.size(); ++i) {
+    power_W = std::max(power_W, F_N[i] * v_mps[i]);
+    if (i == 0 || F_N[i] == F_N[i - 1]) continue;
+    const double slope = (F_N[i] - F_N[i - 1]) / (v_mps[i] - v_mps[i - 1]);
+    const double v = 0.5 * (v_mps[i] - F_N[i] / slope);
+    if (v > v_mps[i - 1] && v < v_mps[i]) power_W = std::max(power_W, (F_N[i] + slope * (v - v_mps[i])) * v);
+  }
+  return power_W;
+}
+
 }  // namespace
 
 TractionCharacteristic TractionCharacteristic::read(rail::YamlReader reader) {
   TractionCharacteristic c;
+  const std::size_t problems_before = reader.problems().count();
   const bool table = reader.choice("law", {"limits", "table"}) == "table";
   c.law_ = table ? Law::kTable : Law::kLimits;
   if (table) {
     c.readTable(reader);
   } else {
-    c.notches_ = reader.integer("notches", 1, 100);
-    c.largest_force_N_ = reader.number("largest_force_N", rail::positive());
+    c.notches_ = reader.integer("notches", 1, kMostNotches);
+    c.largest_force_N_ = reader.number("largest_force_N", kForces);
     c.force_slope_N_s_per_m_ = reader.number("force_slope_N_s_per_m", rail::notNegative());
-    c.power_at_rail_W_ = reader.number("power_at_rail_W", rail::positive());
+    c.power_at_rail_W_ = reader.number("power_at_rail_W", kPowers);
   }
   c.rise_N_per_s_ = reader.number("rise_N_per_s", rail::positive());
   c.fall_N_per_s_ = reader.number("fall_N_per_s", rail::positive());
+  if (reader.problems().count() != problems_before) c.notches_ = kMostNotches;  // unknown: refuse none for it
   reader.finish();
   return c;
 }
@@ -57,21 +84,19 @@ void TractionCharacteristic::readTable(rail::YamlReader& reader) {
   const std::string text = reader.text("table");
   if (text.empty()) return;
   const std::string file = reader.file("table");
-  const std::size_t problems_before = reader.problems().lines().size();
+  const std::size_t problems_before = reader.problems().count();
   const rail::CsvTable csv = rail::readOpenCsv(text, file, "speed_kmph", reader.problems());
-  if (reader.problems().lines().size() == problems_before) checkTable(csv, file, reader.problems());
-  if (reader.problems().lines().size() != problems_before) return;
+  if (reader.problems().count() == problems_before) checkTable(csv, file, reader.problems());
+  if (reader.problems().count() != problems_before) return;
   notches_ = static_cast<int>(csv.columns.size()) - 1;
   for (std::size_t j = 1; j < csv.columns.size(); ++j) {
     std::vector<double> speed_mps, force_N;
-    double power_W = 0.0;
     for (const std::vector<double>& row : csv.rows) {
       speed_mps.push_back(row[0] / rail::kKmphPerMps);
       force_N.push_back(row[j]);
-      power_W = std::max(power_W, row[j] * speed_mps.back());
     }
     force_of_notch_.emplace_back(speed_mps, force_N);
-    power_of_notch_W_.push_back(power_W);
+    power_of_notch_W_.push_back(largestPower(speed_mps, force_N));
   }
 }
 

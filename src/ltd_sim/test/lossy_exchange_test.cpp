@@ -96,7 +96,10 @@ class LossyGraph {
     ltd::StepLock::Settings s;
     s.id = {1, 1, 0, 0};
     s.configuration = scenario.document.text();
-    for (const ltd::LocoUnit& unit : scenario.train.locomotives) s.loco_keys.push_back(unit.key);
+    for (const ltd::LocoUnit& unit : scenario.train.locomotives) {
+      s.loco_keys.push_back(unit.key);
+      s.state_sizes.push_back(2);
+    }
     s.step_length = scenario.macro_step;
     return s;
   }

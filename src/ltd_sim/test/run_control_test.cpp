@@ -63,6 +63,17 @@ TEST(RunControlTest, RefusesWhatIsPassedOrImpossibleAndGoesOnAsBefore) {
   EXPECT_TRUE(control.mayBegin(at(0), 0.0));
 }
 
+TEST(RunControlTest, RefusesTargetsBeyondTheScenariosEndWhereItWouldNeverHold) {
+  RunControl control(false);
+  RunControl::Situation now = at(0);
+  now.end_time = 10 * rail::kNanosecondsPerSecond;
+  now.end_location_m = 4500.0;
+  EXPECT_FALSE(control.request("RUN_UNTIL_PLACE", 4.501, now, 0.0).accepted);
+  EXPECT_TRUE(control.request("RUN_UNTIL_PLACE", 4.5, now, 0.0).accepted);
+  EXPECT_FALSE(control.request("RUN_UNTIL_TIME", 10.1, now, 0.0).accepted);
+  EXPECT_TRUE(control.request("RUN_UNTIL_TIME", 10.0, now, 0.0).accepted);
+}
+
 TEST(RunControlTest, AnUnknownCommandIsAnsweredWithTheListOfThoseThatExist) {
   RunControl control(false);
   EXPECT_NE(control.request("GO", 0.0, at(0), 0.0).message.find("RUN_UNTIL_PLACE"), std::string::npos);
@@ -86,6 +97,14 @@ TEST(RunControlTest, PaceLetsSimulationTimeNotOutrunWallTime) {
   EXPECT_TRUE(control.mayBegin(at(600), 50.5 + 1e-9));
   ASSERT_TRUE(control.request("PACE", 0.0, at(600), 50.5).accepted);
   EXPECT_TRUE(control.mayBegin(at(100000), 50.5));
+}
+
+TEST(RunControlTest, TimeLostToWaitingIsNotCaughtUpByThePace) {
+  RunControl control(false);
+  ASSERT_TRUE(control.request("PACE", 1.0, at(0), 0.0).accepted);
+  EXPECT_TRUE(control.mayBegin(at(1), 60.0));     // a locomotive joined a minute late
+  EXPECT_FALSE(control.mayBegin(at(501), 60.5));  // 1 s further on is due at 61 s
+  EXPECT_TRUE(control.mayBegin(at(501), 61.0 + 1e-9));
 }
 
 TEST(RunControlTest, TimeSpentHeldIsNotCaughtUpByThePace) {

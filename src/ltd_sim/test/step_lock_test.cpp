@@ -28,6 +28,7 @@ class StepLockTest : public ::testing::Test {
     s.arithmetic_fingerprint = 7;
     s.configuration = "name: test";
     s.loco_keys = {"train.groups.0.vehicle", "train.groups.1.vehicle"};
+    s.state_sizes = {2, 2};
     s.step_length = 2000000;
     s.join_deadline_s = 60.0;
     s.answer_deadline_s = 30.0;
@@ -116,8 +117,8 @@ TEST_F(StepLockTest, ASlotIsGivenToAnotherNodeWhenItsConnectionIsClosedOrItsDead
   EXPECT_FALSE(lock_.onJoin(request(1, "/d"), 1.0).accepted);
   sendStep(0);
   lock_.tick(1.0);
-  EXPECT_FALSE(lock_.onJoin(request(1, "/d"), 30.9).accepted);
-  EXPECT_TRUE(lock_.onJoin(request(1, "/d"), 31.1).accepted);
+  EXPECT_FALSE(lock_.onJoin(request(1, "/d"), 15.9).accepted);
+  EXPECT_TRUE(lock_.onJoin(request(1, "/d"), 16.1).accepted);
 }
 
 TEST_F(StepLockTest, TheFirstAnswerIsTakenAndItsEchoesAreCounted) {
@@ -144,6 +145,27 @@ TEST_F(StepLockTest, TwoDifferentAnswersToOneStepEndTheRun) {
   lock_.onTraction(answer(2, 0, 5.0));
   lock_.onTraction(answer(2, 0, std::nextafter(5.0, 6.0)));
   EXPECT_NE(lock_.fault().find("loco_2 is not deterministic"), std::string::npos);
+}
+
+TEST_F(StepLockTest, ADifferentAnswerToTheStepJustCommittedEndsTheRunToo) {
+  joinBoth();
+  sendStep(0);
+  lock_.onTraction(answer(1, 0, 5.0));
+  sendStep(1);
+  lock_.onTraction(answer(1, 0, 5.0));
+  EXPECT_TRUE(lock_.fault().empty());
+  lock_.onTraction(answer(1, 0, 6.0));
+  EXPECT_NE(lock_.fault().find("loco_1 is not deterministic"), std::string::npos);
+}
+
+TEST_F(StepLockTest, WhyAMissingLocomotiveWasRefusedIsTold) {
+  loco::JoinRequest old = request(2, "/b");
+  old.build_id = "old";
+  lock_.onJoin(old, 0.0);
+  lock_.onJoin(request(1, "/a"), 0.0);
+  EXPECT_NE(lock_.waitsFor(2.0, 1.0).find("loco_2 has not joined (/b was refused: build old"), std::string::npos);
+  lock_.tick(61.0);
+  EXPECT_NE(lock_.fault().find("build old"), std::string::npos);
 }
 
 TEST_F(StepLockTest, AnswersWhoseIdsStepOrNumbersDoNotFitAreRefused) {

@@ -59,6 +59,7 @@ TEST(TractionLimitsTest, ForceFallsWithSpeedByItsSlopeAndNeverBelowZero) {
   EXPECT_NEAR(traction.computeForce(4, 8.0), 60e3, 1e-9);
   EXPECT_NEAR(traction.computeForce(2, 8.0), 30e3, 1e-9);
   EXPECT_EQ(traction.computeForce(4, 25.0), 0.0);
+  EXPECT_EQ(traction.computeForce(4, -8.0), 100e3);  // rolling back counts as standing
   EXPECT_EQ(traction.largestForce(), 100e3);
 }
 
@@ -110,11 +111,24 @@ TEST(TractionTableTest, BeyondItsLastSpeedItFollowsTheHyperbolaOfTheLastPower) {
   EXPECT_NEAR(traction.computeForce(1, 25.0), 30e3 * 10.0 / 25.0, 1e-9);
 }
 
-TEST(TractionTableTest, RimPowerLimitIsTheLargestPowerOfTheNotchsRows) {
+TEST(TractionTableTest, RimPowerLimitIsTheLargestPowerOfTheNotch) {
   const TractionCharacteristic traction = readMap(tableText(kGoodRows), TractionCharacteristic::read);
-  EXPECT_NEAR(traction.computeRimPowerLimit(1), 80e3 * 5.0, 1e-9);
-  EXPECT_NEAR(traction.computeRimPowerLimit(2), 160e3 * 5.0, 1e-9);  // not the last row's 80e3 * 10, the same here
+  // Between 5 and 10 m/s notch 1 gives 130 kN - 10 kN s/m v, so most at 6.5 m/s, notch 2 240 kN - 16 kN s/m v.
+  EXPECT_NEAR(traction.computeRimPowerLimit(1), 65e3 * 6.5, 1e-9);
+  EXPECT_NEAR(traction.computeRimPowerLimit(2), 120e3 * 7.5, 1e-9);
   EXPECT_EQ(traction.computeRimPowerLimit(0), 0.0);
+  for (double v_mps = 0.0; v_mps < 30.0; v_mps += 0.01)
+    EXPECT_LE(traction.computeForce(2, v_mps) * v_mps, traction.computeRimPowerLimit(2) + 1e-9) << v_mps;
+}
+
+TEST(TractionTableTest, RimPowerLimitIsThatOfARowWhereTheForceFallsSteeplyBehindIt) {
+  const TractionCharacteristic traction =
+      readMap(tableText({"0, 100000, 200000", "18, 100000, 200000", "36, 10000, 20000"}), TractionCharacteristic::read);
+  // 190 kN - 18 kN s/m v has its vertex at 5.28 m/s, just behind the row: 501.4 kW, not the row's 500.
+  EXPECT_NEAR(traction.computeRimPowerLimit(1), 190e3 * 190e3 / (4.0 * 18e3), 1e-6);
+  const TractionCharacteristic cliff = readMap(
+      tableText({"0, 100000, 200000", "18, 100000, 200000", "19.8, 10000, 20000"}), TractionCharacteristic::read);
+  EXPECT_NEAR(cliff.computeRimPowerLimit(1), 500e3, 1e-9);
 }
 
 void expectFault(const std::string& text, const std::vector<std::string>& parts) {
@@ -124,14 +138,18 @@ void expectFault(const std::string& text, const std::vector<std::string>& parts)
 }
 
 TEST(TractionTableTest, RefusesABadTableWithTheLineNumber) {
-  expectFault(tableText({"1, 100, 200", "36, 30, 80"}), {"line 2: speed_kmph = 1", "must start at 0"});
-  expectFault(tableText({"0, 100, 200", "36, 30, 80", "36, 20, 70"}), {"line 4: speed_kmph = 36", "must rise"});
-  expectFault(tableText({"0, 100, 200", "36, 130, 180"}), {"line 3: notch_1_N = 130", "must not rise with speed"});
-  expectFault(tableText({"0, 100, 200", "36, 90, 80"}), {"line 3: notch_2_N = 80", "must not fall with the notch"});
-  expectFault(tableText({"0, 100, 200", "36, -1, 80"}), {"line 3: notch_1_N = -1", ">= 0"});
-  expectFault(tableText({"0, 100, 200", "36, x, 80"}), {"line 3: notch_1_N = x", "must be a number"});
-  expectFault(tableText({"0, 100, 200", "36, 80"}), {"line 3", "has 2 cells"});
-  expectFault(tableText({"0, 100, 200"}), {"at least two rows"});
+  expectFault(tableText({"1, 100000, 200000", "36, 30000, 80000"}), {"line 2: speed_kmph = 1", "must start at 0"});
+  expectFault(tableText({"0, 100000, 200000", "36, 30000, 80000", "36, 20000, 70000"}),
+              {"line 4: speed_kmph = 36", "must rise"});
+  expectFault(tableText({"0, 100000, 200000", "36, 130000, 180000"}),
+              {"line 3: notch_1_N = 130000", "must not rise with speed"});
+  expectFault(tableText({"0, 100000, 200000", "36, 90000, 80000"}),
+              {"line 3: notch_2_N = 80000", "must not fall with the notch"});
+  expectFault(tableText({"0, 100000, 200000", "36, -1, 80000"}), {"line 3: notch_1_N = -1", ">= 0"});
+  expectFault(tableText({"0, 100000, 200000", "36, x, 80000"}), {"line 3: notch_1_N = x", "must be a number"});
+  expectFault(tableText({"0, 100000, 200000", "36, 80000"}), {"line 3", "has 2 cells"});
+  expectFault(tableText({"0, 100000, 200000"}), {"at least two rows"});
+  expectFault(tableText({"0, 100, 560", "36, 50, 80"}), {"notch_2_N = 560", "from 1e3 to 1e7 N"});  // kN
   expectFault(tableText(kGoodRows, "speed_kmph,notch_1_N,notch_3_N"), {"line 1: notch_3_N", "notch_2_N"});
   expectFault(tableText(kGoodRows, "speed_mps,notch_1_N,notch_2_N"), {"line 1", "must be 'speed_kmph'"});
 }
@@ -142,16 +160,17 @@ TEST(TractionTableTest, RefusesATableWithoutANotch) {
 
 TEST(TractionReadTest, RefusesImpossibleNumbersAndMixedLaws) {
   const std::string rates = ", rise_N_per_s: 1, fall_N_per_s: 1}";
-  expectFault("{law: hyperbola, notches: 8, largest_force_N: 1, force_slope_N_s_per_m: 0, power_at_rail_W: 1" + rates,
-              {"law = hyperbola", "limits, table"});
-  expectFault("{law: limits, notches: 0, largest_force_N: 1, force_slope_N_s_per_m: 0, power_at_rail_W: 1" + rates,
+  expectFault(
+      "{law: hyperbola, notches: 8, largest_force_N: 1e5, force_slope_N_s_per_m: 0, power_at_rail_W: 1e6" + rates,
+      {"law = hyperbola", "limits, table"});
+  expectFault("{law: limits, notches: 0, largest_force_N: 1e5, force_slope_N_s_per_m: 0, power_at_rail_W: 1e6" + rates,
               {"notches = 0"});
-  expectFault("{law: limits, notches: 8, largest_force_N: -1, force_slope_N_s_per_m: 0, power_at_rail_W: 1" + rates,
+  expectFault("{law: limits, notches: 8, largest_force_N: -1, force_slope_N_s_per_m: 0, power_at_rail_W: 1e6" + rates,
               {"largest_force_N = -1"});
-  expectFault("{law: limits, notches: 8, largest_force_N: 1, force_slope_N_s_per_m: 0, power_at_rail_W: 0" + rates,
+  expectFault("{law: limits, notches: 8, largest_force_N: 1e5, force_slope_N_s_per_m: 0, power_at_rail_W: 0" + rates,
               {"power_at_rail_W = 0"});
   expectFault(
-      "{law: limits, notches: 8, largest_force_N: 1, force_slope_N_s_per_m: 0, power_at_rail_W: 1, "
+      "{law: limits, notches: 8, largest_force_N: 1e5, force_slope_N_s_per_m: 0, power_at_rail_W: 1e6, "
       "rise_N_per_s: 0, fall_N_per_s: 1}",
       {"rise_N_per_s = 0"});
   expectFault(tableText(kGoodRows) + "notches: 2\n", {"notches", "unknown key"});

@@ -11,13 +11,6 @@ namespace {
 
 using fixtures::Rig;
 
-constexpr double kPi = 3.14159265358979323846;
-
-/// n vehicles of equal mass without resistance, the first one a locomotive.
-ltd::TrainModel freeTrain(std::size_t n, double mass_kg, const ltd::Coupler::Parameters& coupler) {
-  return fixtures::makeTrain(std::vector<rail::Vehicle>(n, fixtures::freeVehicle(mass_kg)), {0}, coupler);
-}
-
 TEST(TrainDynamicsTest, StartsInMidSlackWithTheLeadingLocomotiveAtItsPlace) {
   std::vector<rail::Vehicle> vehicles = {fixtures::paperWagon(), fixtures::paperLoco(), fixtures::paperLoco(),
                                          fixtures::paperWagon()};
@@ -37,80 +30,8 @@ TEST(TrainDynamicsTest, AtRestOnLevelTrackStaysAtRest) {
   EXPECT_EQ(rig.state.v_mps, std::vector<double>(6, 0.0));
 }
 
-// Semi-implicit Euler turns x'' = -w^2 x into x_k+1 - 2 x_k + x_k-1 = -(w H)^2 x_k. From rest at x_0 that is
-//   x_k = x_0 cos((k + 1/2) q)/cos(q/2),   cos q = 1 - (w H)^2/2,
-// so the analytic frequency can be checked to round-off whatever the step.
-double oscillation(double omega, double H, int k) {
-  const double q = std::acos(1.0 - 0.5 * omega * H * omega * H);
-  return std::cos((k + 0.5) * q) / std::cos(0.5 * q);
-}
-
-TEST(TrainDynamicsTest, ChainOfSpringsSwingsInItsAnalyticModes) {
-  constexpr int kMasses = 6, kSteps = 5000;
-  constexpr double kMass = 80e3, kStiffness = 10e6, kAmplitude = 0.01, kStep = 0.002;
-  for (int j = 1; j < kMasses; ++j) {
-    Rig rig(freeTrain(kMasses, kMass, fixtures::linearSpring(kStiffness)), fixtures::makeTrack(), kStep, 100.0, 0.0);
-    const std::vector<double> middle = rig.state.s_m;
-    std::vector<double> shape;
-    for (int i = 0; i < kMasses; ++i) shape.push_back(std::cos(j * kPi * (i + 0.5) / kMasses));
-    for (std::size_t i = 0; i < shape.size(); ++i) rig.state.s_m[i] += kAmplitude * shape[i];
-    const double omega = 2.0 * std::sqrt(kStiffness / kMass) * std::sin(j * kPi / (2 * kMasses));
-    for (int k = 1; k <= kSteps; ++k) {
-      ASSERT_EQ(rig.step(), "");
-      for (std::size_t i = 0; i < shape.size(); ++i) {
-        // s is near 100 m: 1.4e-14 m of round-off in each of 5000 steps, amplified by the phase; 1e-9 of the amplitude.
-        ASSERT_NEAR(rig.state.s_m[i] - middle[i], kAmplitude * shape[i] * oscillation(omega, kStep, k), 1e-11)
-            << "mode " << j << " vehicle " << i << " step " << k;
-      }
-    }
-  }
-}
-
-TEST(TrainDynamicsTest, TwoUnequalMassesSwingWithTheirReducedMass) {
-  constexpr double kMass1 = 134e3, kMass2 = 22e3, kStiffness = 10e6, kStep = 0.002;
-  ltd::TrainModel train = freeTrain(2, kMass1, fixtures::linearSpring(kStiffness));
-  train.vehicles[1].mass_kg = train.inertial_mass_kg[1] = kMass2;
-  Rig rig(train, fixtures::makeTrack(), kStep, 100.0, 0.0);
-  rig.state.s_m[0] += 0.01;
-  const double omega = std::sqrt(kStiffness * (1.0 / kMass1 + 1.0 / kMass2));
-  for (int k = 1; k <= 2000; ++k) {
-    ASSERT_EQ(rig.step(), "");
-    const double elongation = rig.state.s_m[0] - rig.state.s_m[1] - 10.0;
-    ASSERT_NEAR(elongation, 0.01 * oscillation(omega, kStep, k), 1e-11) << k;
-  }
-}
-
-TEST(TrainDynamicsTest, AWaveRunsThroughTheSlackAtTheTimesThatGeometryAndElasticImpactsSay) {
-  // A head that nothing can slow down runs at V; every gap is g, every spring k is stiff and without loss. The head
-  // reaches vehicle 1 at g/V. Hit by it, vehicle 1 moves as s = V (t - sin(w t)/w), w^2 = k/m, and leaves at 2V: as if
-  // it had done so from pi/(2w) on. It hits vehicle 2 and hands its whole speed on: s = V (t - sin(w' t)/w'),
-  // w'^2 = 2k/m, and so on down the train. So the first motion of vehicle i is at
-  //   t_1 = g/V,   t_2 = t_1 + pi/(2w) + g/(2V),   t_i+1 = t_i + pi/(2w') + g/(2V).
-  constexpr double kV = 0.1, kGap = 0.010, kMass = 120e3, kStiffness = 4e10, kStep = 1e-5;
-  constexpr std::size_t kVehicles = 7;
-  ltd::TrainModel train = freeTrain(kVehicles, kMass, fixtures::linearSpring(kStiffness, 2.0 * kGap));
-  train.inertial_mass_kg[0] = 1e15;
-  Rig rig(train, fixtures::makeTrack(), kStep, 100.0, 0.0);
-  rig.state.v_mps[0] = kV;
-
-  std::vector<double> started_s(kVehicles, -1.0);
-  for (int k = 0; k < 60000; ++k) {
-    ASSERT_EQ(rig.step(), "");
-    for (std::size_t i = 1; i < kVehicles; ++i) {
-      if (started_s[i] < 0.0 && rig.state.v_mps[i] != 0.0) started_s[i] = k * kStep;
-    }
-  }
-  const double w = std::sqrt(kStiffness / kMass);
-  double expected_s = kGap / kV;
-  for (std::size_t i = 1; i < kVehicles; ++i) {
-    // A step late at each of i impacts, and impacts resolved to (w H)^2 = 3e-5: far below the 53 ms between vehicles.
-    EXPECT_NEAR(started_s[i], expected_s, static_cast<double>(i) * 2.0 * kStep) << "vehicle " << i;
-    expected_s += kPi / (2.0 * (i == 1 ? w : std::sqrt(2.0) * w)) + kGap / (2.0 * kV);
-  }
-}
-
 TEST(TrainDynamicsTest, FreeRollingThroughSlackKeepsItsMomentum) {
-  Rig rig(freeTrain(8, 90e3, fixtures::draftGear()), fixtures::makeTrack(), 0.001, 3000.0, 5.0);
+  Rig rig(fixtures::freeTrain(8, 90e3, fixtures::draftGear()), fixtures::makeTrack(), 0.001, 3000.0, 5.0);
   for (std::size_t i = 0; i < 8; ++i) rig.state.v_mps[i] += 0.3 * std::sin(2.0 * static_cast<double>(i));
   const double before = rig.momentum();
   double largest_N = 0.0;
@@ -149,6 +70,31 @@ TEST(TrainDynamicsTest, TractionPushesItsOwnLocomotiveForwardAndNobodyElse) {
   EXPECT_NEAR(rig.state.account.traction_rail, work_J, 1e-12 * work_J);
 }
 
+TEST(TrainDynamicsTest, RimAndSlipWorkAreBookedToTheirLocomotiveAndTheTrain) {
+  Rig rig(
+      fixtures::makeTrain(std::vector<rail::Vehicle>(3, fixtures::freeVehicle(100e3)), {0, 2}, fixtures::draftGear()),
+      fixtures::makeTrack(), 0.002, 3000.0, 1.0);
+  rig.answers[0].work_rim_J = 100.0, rig.answers[0].work_slip_J = 7.0;
+  rig.answers[1].work_rim_J = 200.0, rig.answers[1].work_slip_J = 13.0;
+  for (int k = 0; k < 2; ++k) ASSERT_EQ(rig.step(), "");
+  EXPECT_EQ(rig.state.loco_energy[0].rim, 200.0);
+  EXPECT_EQ(rig.state.loco_energy[0].slip, 14.0);
+  EXPECT_EQ(rig.state.loco_energy[1].rim, 400.0);
+  EXPECT_EQ(rig.state.loco_energy[1].slip, 26.0);
+  EXPECT_EQ(rig.state.account.traction_rim, 600.0);
+  EXPECT_EQ(rig.state.account.slip_loss, 40.0);
+}
+
+TEST(TrainDynamicsTest, LocomotivesStateGoesWithTheTrainsState) {
+  Rig rig(fixtures::makeTrain({fixtures::freeVehicle(1e5), fixtures::freeVehicle(1e5)}, {0, 1}, fixtures::draftGear()),
+          fixtures::makeTrack(), 0.002, 3000.0, 1.0);
+  EXPECT_TRUE(rig.state.loco_state[1].empty());
+  rig.answers[1].state = {1.0, 2.0, 3.0};
+  ASSERT_EQ(rig.step(), "");
+  EXPECT_EQ(rig.state.loco_state[1], (std::vector<double>{1.0, 2.0, 3.0}));
+  EXPECT_TRUE(rig.state.loco_state[0].empty());
+}
+
 TEST(TrainDynamicsTest, LocomotiveIsToldOfTheForcesThatLtdUses) {
   Rig rig(fixtures::makeTrain(std::vector<rail::Vehicle>(3, fixtures::paperWagon()), {1}, fixtures::draftGear()),
           fixtures::makeTrack("{from_km: 0, grade_permille: 5}",
@@ -174,7 +120,7 @@ TEST(TrainDynamicsTest, LocomotiveIsToldOfTheForcesThatLtdUses) {
 }
 
 TEST(TrainDynamicsTest, ASingleVehicleMovesAsAPointMass) {
-  Rig rig(freeTrain(1, 100e3, fixtures::draftGear()), fixtures::makeTrack(), 0.002, 3000.0, 0.0);
+  Rig rig(fixtures::freeTrain(1, 100e3, fixtures::draftGear()), fixtures::makeTrack(), 0.002, 3000.0, 0.0);
   for (int k = 0; k < 5000; ++k) ASSERT_EQ(rig.step({50e3}), "");
   EXPECT_NEAR(rig.state.v_mps[0], 5.0, 1e-11);          // 10 s at 0.5 m/s^2, round-off of 5000 additions
   EXPECT_NEAR(rig.state.s_m[0], 3025.0 + 0.005, 1e-8);  // semi-implicit: a t (t + H)/2
@@ -220,10 +166,12 @@ TEST(TrainDynamicsTest, TrainRollsAwayOnSevenTenthsOfAPermilleDownhill) {
 TEST(TrainDynamicsTest, StandingLocomotiveIsHeldAgainstSmallTractionToo) {
   Rig rig(fixtures::makeTrain({fixtures::paperLoco()}, {0}, fixtures::draftGear()), fixtures::makeTrack(), 0.002,
           3000.0, 0.0);
-  for (int k = 0; k < 1000; ++k) ASSERT_EQ(rig.step({900.0}), "");  // of 929.6 N
-  EXPECT_LT(std::abs(rig.state.v_mps[0]), 2e-5);  // the first step alone knows no traction yet: 900 N for 2 ms
+  // 900 of the 929.6 N that hold it. The first step does not know of the traction yet and gains 13 um/s, which the
+  // 29.6 N that are left take away again within 31 steps.
+  for (int k = 0; k < 1000; ++k) ASSERT_EQ(rig.step({900.0}), "");
+  EXPECT_NEAR(rig.state.v_mps[0], 0.0, 1e-15);
   for (int k = 0; k < 1000; ++k) ASSERT_EQ(rig.step({5000.0}), "");
-  EXPECT_GT(rig.state.v_mps[0], 0.05);  // 4 kN for 2 s on 134 t
+  EXPECT_NEAR(rig.state.v_mps[0], 2.0 * (5000.0 - 929.6) / 134e3, 2e-4);  // 2 s; 0.2 % more resistance at 0.2 km/h
 }
 
 TEST(TrainDynamicsTest, ANumberThatIsNoneIsCaughtInItsStepWithTheVehiclesName) {
@@ -235,7 +183,7 @@ TEST(TrainDynamicsTest, ANumberThatIsNoneIsCaughtInItsStepWithTheVehiclesName) {
 
 TEST(TrainDynamicsTest, StepUseIsTheShareOfTheFrictionsStabilityLimitWithItsVehicle) {
   // Couplers 0-1 and 1-2 at 90 mm: 1.62 MN. c = 0.275 F/vs each, limit H (c1 + c2)/m = 1.
-  ltd::TrainModel train = freeTrain(4, 120e3, fixtures::draftGear());
+  ltd::TrainModel train = fixtures::freeTrain(4, 120e3, fixtures::draftGear());
   train.inertial_mass_kg[1] = 22e3;
   Rig rig(train, fixtures::makeTrack(), 0.001, 3000.0, 1.0);
   EXPECT_EQ((rig.step(), rig.forces.step_use), 0.0);
@@ -246,26 +194,6 @@ TEST(TrainDynamicsTest, StepUseIsTheShareOfTheFrictionsStabilityLimitWithItsVehi
   EXPECT_NEAR(rig.forces.step_use, use, 1e-6 * use);  // round-off of 3000 m times 80 MN/m
   EXPECT_GT(rig.forces.step_use, 1.0);
   EXPECT_EQ(rig.forces.step_use_vehicle, 1u);
-}
-
-TEST(TrainDynamicsTest, CouplerChattersAboveItsStepBoundAndSettlesBelow) {
-  // Two wagons of 22 t pulled apart by 1.2 MN each come to rest relative to each other, with F = (L + U)/2. One coupler
-  // between them: friction alone bounds H c 2/m < 2, c = (L - U)/(2 vs), so H = m vs/(0.275 L), L = 1.2 MN/0.725.
-  const auto relativeSpeedAfter4s = [](double step_s) {
-    ltd::TrainModel train = freeTrain(2, 22e3, fixtures::draftGear());
-    train.locomotives.push_back({1, 0, 0, 0.35, "train"});
-    Rig rig(train, fixtures::makeTrack(), step_s, 3000.0, 1.0);
-    double largest_mps = 0.0;
-    const int steps = static_cast<int>(4.0 / step_s);
-    for (int k = 0; k < steps; ++k) {
-      EXPECT_EQ(rig.step({1.2e6, -1.2e6}), "");
-      if (k > steps - 100) largest_mps = std::max(largest_mps, std::abs(rig.state.v_mps[0] - rig.state.v_mps[1]));
-    }
-    return largest_mps;
-  };
-  EXPECT_NEAR(22e3 * 0.02 / (0.275 * 1.2e6 / 0.725), 0.967e-3, 1e-6);
-  EXPECT_LT(relativeSpeedAfter4s(0.8e-3), 1e-3);  // settling goes on for longer than 4 s: vs/20
-  EXPECT_GT(relativeSpeedAfter4s(1.2e-3), 0.01);  // swings by the order of vs
 }
 
 TEST(TrainDynamicsTest, NamesTheVehicleThatLeavesTheTrack) {

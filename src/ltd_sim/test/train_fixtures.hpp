@@ -77,6 +77,11 @@ inline ltd::TrainModel makeTrain(const std::vector<rail::Vehicle>& vehicles, con
   return train;
 }
 
+/// n vehicles of equal mass without resistance, the first one a locomotive.
+inline ltd::TrainModel freeTrain(std::size_t n, double mass_kg, const ltd::Coupler::Parameters& coupler) {
+  return makeTrain(std::vector<rail::Vehicle>(n, freeVehicle(mass_kg)), {0}, coupler);
+}
+
 /// One locomotive of the paper and `wagons` wagons behind it.
 inline ltd::TrainModel shortPaperTrain(std::size_t wagons) {
   std::vector<rail::Vehicle> vehicles(wagons + 1, paperWagon());
@@ -113,8 +118,8 @@ class Rig {
         H(step_s),
         dynamics(train, track, driver, rail::wholeNanoseconds(step_s).value()),
         state(dynamics.initialState(location_m, speed_mps)),
-        answers_(train.locomotives.size()) {
-    for (const loco::LocoTraction& answer : answers_) pointers_.push_back(&answer);
+        answers(train.locomotives.size()) {
+    for (const loco::LocoTraction& answer : answers) pointers_.push_back(&answer);
   }
   Rig(const Rig&) = delete;
   Rig& operator=(const Rig&) = delete;
@@ -123,8 +128,8 @@ class Rig {
   std::string step(const std::vector<double>& traction_N = {}) {
     if (state.step == 0) dynamics.updateStoredEnergies(state);
     dynamics.computeForces(state, forces);
-    for (std::size_t i = 0; i < answers_.size(); ++i)
-      answers_[i].traction_N = i < traction_N.size() ? traction_N[i] : 0.0;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+      answers[i].traction_N = i < traction_N.size() ? traction_N[i] : 0.0;
     return dynamics.step(state, forces, pointers_);
   }
 
@@ -141,9 +146,9 @@ class Rig {
   ltd::TrainDynamics dynamics;
   ltd::TrainState state;
   ltd::TrainForces forces;
+  std::vector<loco::LocoTraction> answers;  ///< step() sets the tractions in them
 
  private:
-  std::vector<loco::LocoTraction> answers_;
   std::vector<const loco::LocoTraction*> pointers_;
 };
 
@@ -163,6 +168,13 @@ inline ltd::Scenario makeScenario(const ltd::TrainModel& train, const rail::Trac
   scenario.output.telemetry_interval = 20000000;
   scenario.macro_step = scenario.micro_step = 2000000;
   return scenario;
+}
+
+/// Two locomotives and four wagons on level track.
+inline ltd::Scenario smallScenario() {
+  std::vector<rail::Vehicle> vehicles(6, paperWagon());
+  vehicles[0] = vehicles[3] = paperLoco();
+  return makeScenario(makeTrain(vehicles, {0, 3}, draftGear()), makeTrack());
 }
 
 /// 1D locomotives in this process, one for each of the scenario's.

@@ -51,32 +51,6 @@ double LookupTable::operator()(double x) const {
   return between(y_[at.low], y_[at.high], at.fraction);
 }
 
-LookupTable2d::LookupTable2d(std::vector<double> x, std::vector<double> y, std::vector<std::vector<double>> z)
-    : x_(std::move(x)), y_(std::move(y)), z_(std::move(z)) {
-  requireAxis(x_, "LookupTable2d");
-  requireAxis(y_, "LookupTable2d");
-  if (z_.size() != x_.size()) throw std::invalid_argument("LookupTable2d: x and z differ in size");
-  for (const std::vector<double>& row : z_) {
-    if (row.size() != y_.size()) throw std::invalid_argument("LookupTable2d: y and a row of z differ in size");
-    if (!allFinite(row)) throw std::invalid_argument("LookupTable2d: not finite");
-  }
-}
-
-double LookupTable2d::operator()(double x, double y) const {
-  if (std::isnan(x) || std::isnan(y)) return x + y;  // an end value would hide it
-  const Position i = locate(x_, x);
-  const Position j = locate(y_, y);
-  const double at_low = between(z_[i.low][j.low], z_[i.low][j.high], j.fraction);
-  const double at_high = between(z_[i.high][j.low], z_[i.high][j.high], j.fraction);
-  return between(at_low, at_high, i.fraction);
-}
-
-double LookupTable2d::largest() const {
-  double largest = z_.front().front();
-  for (const std::vector<double>& row : z_) largest = std::max(largest, *std::max_element(row.begin(), row.end()));
-  return largest;
-}
-
 std::string risingRule(const std::vector<double>& x) {
   for (std::size_t i = 1; i < x.size(); ++i) {
     if (x[i] > x[i - 1]) continue;  // written so that NaN fails

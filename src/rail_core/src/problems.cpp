@@ -67,11 +67,16 @@ bool isBeginningOf(const std::string& beginning, const std::string& word) {
 ConfigError::ConfigError(const std::vector<std::string>& lines) : std::runtime_error(joinLines(lines)), lines_(lines) {}
 
 void Problems::add(const std::string& file, const std::string& key, const std::string& value, const std::string& rule) {
-  lines_.push_back(file + ": " + (key.empty() ? "" : key + " = ") + oneLine(value) + ": " + rule);
+  addOnce(file + ": " + (key.empty() ? "" : key + " = ") + oneLine(value) + ": " + rule);
 }
 
 void Problems::add(const std::string& file, const std::string& key, const std::string& rule) {
-  lines_.push_back(file + ": " + (key.empty() ? "" : key + ": ") + rule);
+  addOnce(file + ": " + (key.empty() ? "" : key + ": ") + rule);
+}
+
+void Problems::addOnce(const std::string& line) {
+  ++count_;
+  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
 }
 
 void Problems::throwIfAny() const {

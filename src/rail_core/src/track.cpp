@@ -26,14 +26,14 @@ class SegmentWalk {
 }  // namespace
 
 Track Track::read(YamlReader reader) {
-  const std::size_t before = reader.problems().lines().size();
+  const std::size_t before = reader.problems().count();
   Track track;
   track.name_ = reader.text("name");
   const TrackProfile profile = reader.has("table") ? readTrackTable(reader) : readTrackLists(reader);
   reader.finish();
   const bool complete =
       !profile.grade.empty() && !profile.speed_limit.empty();  // not so if an included file is missing
-  if (complete && reader.problems().lines().size() == before) track.build(profile);
+  if (complete && reader.problems().count() == before) track.build(profile);
   return track;
 }
 

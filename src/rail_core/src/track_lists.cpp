@@ -15,9 +15,9 @@ std::string inKilometres(double s_m) { return formatNumber(s_m / kMetresPerKilom
 
 /// A chainage key in km as metres; nothing, with the problem added, if it is missing or no number.
 std::optional<double> readChainage(YamlReader& reader, const std::string& key) {
-  const std::size_t before = reader.problems().lines().size();
+  const std::size_t before = reader.problems().count();
   const double km = reader.number(key, anyNumber());
-  if (!reader.present() || reader.problems().lines().size() != before) return std::nullopt;
+  if (!reader.present() || reader.problems().count() != before) return std::nullopt;
   return cleanChainage(km * kMetresPerKilometre);
 }
 
@@ -53,9 +53,9 @@ std::optional<double> readFrom(YamlReader& entry, const Limits& limits, bool fir
 /// @param per_unit  how many of the file's units make one SI unit
 std::vector<Segment> readHeld(YamlReader& reader, const std::string& list, const std::string& key, const Range& range,
                               double per_unit, const Limits& limits) {
-  const std::size_t before = reader.problems().lines().size();
+  const std::size_t before = reader.problems().count();
   std::vector<YamlReader> entries = reader.maps(list);
-  if (reader.problems().lines().size() == before && entries.empty()) reader.refuse(list, "must not be empty");
+  if (reader.problems().count() == before && entries.empty()) reader.refuse(list, "must not be empty");
   std::vector<Segment> segments;
   std::optional<double> previous_m;
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -126,9 +126,9 @@ void readCurves(YamlReader& reader, const Limits& limits, TrackProfile& profile)
   appendSegment(profile.cant, {profile.start_m, 0.0, 0.0});
   Curve previous;
   for (YamlReader& entry : reader.maps("curves")) {
-    const std::size_t before = reader.problems().lines().size();
+    const std::size_t before = reader.problems().count();
     const Curve curve = readCurve(entry);
-    const bool readable = entry.present() && reader.problems().lines().size() == before;
+    const bool readable = entry.present() && reader.problems().count() == before;
     if (readable) {
       checkCurve(entry, curve, previous, limits);
       appendTrapezoid(profile.curvature, curve, curve.curvature_1pm);

@@ -105,11 +105,11 @@ TrackProfile readTrackTable(YamlReader& reader) {
   const bool linear_curvature = between_rows.choice("curvature", choices) == "linear";
   between_rows.finish();
   if (text.empty()) return {};  // has been reported
-  const std::size_t before = problems.lines().size();
+  const std::size_t before = problems.count();
   const std::string file = reader.file("table");
   const CsvTable table = readCsv(text, file, kColumns, problems);
   TableCheck(table, file, problems).check();
-  if (problems.lines().size() != before) return {};
+  if (problems.count() != before) return {};
   return profileOf(table, linear_grade, linear_curvature);
 }
 

@@ -20,7 +20,7 @@ ResistanceCoefficients readResistance(YamlReader reader) {
 Vehicle readVehicle(YamlReader& reader) {
   Vehicle vehicle;
   vehicle.name = reader.text("name");
-  vehicle.mass_kg = reader.number("mass_kg", positive());
+  vehicle.mass_kg = reader.number("mass_kg", between(1e3, 1e6));
   vehicle.axles = reader.integer("axles", 2, 32);
   vehicle.length_m = reader.number("length_m", aboveUpTo(0.0, 100.0));
   vehicle.rotary_mass_kg_per_axle = reader.number("rotary_mass_kg_per_axle", notNegative());

@@ -116,9 +116,9 @@ std::optional<YAML::Node> readYaml(const std::string& text, const std::string& f
     return std::nullopt;
   }
   YAML::Node node = YAML::Load(text);
-  const std::size_t before = problems.lines().size();
+  const std::size_t before = problems.count();
   TreeCheck(file, problems).check(node, key);
-  if (problems.lines().size() != before) return std::nullopt;
+  if (problems.count() != before) return std::nullopt;
   return node;
 }
 

@@ -40,32 +40,6 @@ TEST(LookupTableTest, OneEntryIsAConstant) { EXPECT_EQ(LookupTable({5.0}, {2.0})
 
 TEST(LookupTableTest, NanIsNotHiddenByAnEndValue) {
   EXPECT_TRUE(std::isnan(LookupTable({1.0, 2.0}, {3.0, 4.0})(kNan)));
-  const LookupTable2d table({0.0, 1.0}, {0.0, 1.0}, {{1.0, 2.0}, {3.0, 4.0}});
-  EXPECT_TRUE(std::isnan(table(kNan, 0.5)));
-  EXPECT_TRUE(std::isnan(table(0.5, kNan)));
-}
-
-TEST(LookupTable2dTest, ImpossibleTablesAreRefused) {
-  EXPECT_THROW(LookupTable2d({}, {0.0}, {}), std::invalid_argument);
-  EXPECT_THROW(LookupTable2d({0.0}, {1.0, 1.0}, {{0.0, 0.0}}), std::invalid_argument);
-  EXPECT_THROW(LookupTable2d({0.0, 1.0}, {0.0}, {{0.0}}), std::invalid_argument);
-  EXPECT_THROW(LookupTable2d({0.0}, {0.0, 1.0}, {{0.0}}), std::invalid_argument);
-  EXPECT_THROW(LookupTable2d({0.0}, {0.0}, {{kNan}}), std::invalid_argument);
-}
-
-TEST(LookupTable2dTest, ReproducesABilinearFunctionOnANonSquareGrid) {
-  // z = 1 + 2 x - 3 y + 4 x y is bilinear, so it must come out exactly up to round-off; x and y are told apart.
-  const auto z = [](double x, double y) { return 1.0 + 2.0 * x - 3.0 * y + 4.0 * x * y; };
-  const std::vector<double> x = {0.0, 1.0, 4.0}, y = {-1.0, 2.0};
-  std::vector<std::vector<double>> grid;
-  for (const double xi : x) grid.push_back({z(xi, y[0]), z(xi, y[1])});
-  const LookupTable2d table(x, y, grid);
-  EXPECT_NEAR(table(0.3, 1.7), z(0.3, 1.7), 1e-14);
-  EXPECT_NEAR(table(3.1, -0.2), z(3.1, -0.2), 1e-14);
-  EXPECT_EQ(table(1.0, 2.0), z(1.0, 2.0));
-  EXPECT_EQ(table(-5.0, 9.0), z(0.0, 2.0));
-  EXPECT_EQ(table(9.0, -9.0), z(4.0, -1.0));
-  EXPECT_EQ(table.largest(), z(4.0, 2.0));
 }
 
 TEST(RisingRuleTest, NamesTheFirstNumberThatDoesNotRise) {

@@ -54,4 +54,12 @@ TEST(NearestWordTest, AnotherWordIsNotNear) {
 TEST(NearestWordTest, OfTwoTheNearerIsTaken) { EXPECT_EQ(nearestWord("speed_2", {"speed_11", "speed_1"}), "speed_1"); }
 
 }  // namespace
+TEST(ProblemsTest, AProblemAddedTwiceStandsOnceButIsCountedTwice) {
+  rail::Problems problems;
+  problems.add("a.yaml", "mass_kg", "-1", "must be > 0");
+  problems.add("a.yaml", "mass_kg", "-1", "must be > 0");
+  EXPECT_EQ(problems.lines().size(), 1u);
+  EXPECT_EQ(problems.count(), 2u);
+}
+
 }  // namespace rail

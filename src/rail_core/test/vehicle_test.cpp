@@ -54,7 +54,7 @@ TEST(VehicleTest, ImpossibleValuesAreRefusedAllAtOnce) {
   rail::Problems problems;
   read(text, problems);
   ASSERT_EQ(problems.lines().size(), 5u);  // the misspelt key is unknown, and the right one is missing
-  EXPECT_EQ(problems.lines()[0], "wagon.yaml: mass_kg = -1: must be a number > 0");
+  EXPECT_EQ(problems.lines()[0], "wagon.yaml: mass_kg = -1: must be a number >= 1000 and <= 1000000");
 }
 
 }  // namespace

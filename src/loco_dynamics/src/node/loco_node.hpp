@@ -5,6 +5,7 @@
 #include <train_msgs/LocoTraction.h>
 #include <train_msgs/TrainStatus.h>
 
+#include <atomic>
 #include <mutex>
 #include <string>
 
@@ -22,16 +23,18 @@ namespace loco {
 class LocoNode {
  public:
   LocoNode();
-  /// Returns when ROS shuts down (0) or the train is silent for too long (1).
+  ~LocoNode();
+  /// Returns when ROS shuts down (0), the train is silent for too long (1) or its configuration cannot be used (2).
   int run();
 
  private:
   void onForce(const train_msgs::LocoForceConstPtr& msg);
   void onStatus(const train_msgs::TrainStatusConstPtr& msg);
+  void keepJoined();
   void tryJoin();
   void takePlace(const JoinAnswer& joined);
   void connect();
-  bool trainSilent() const;
+  bool trainSilent();
   void sayOnce(const std::string& what);
 
   ros::NodeHandle node_, private_node_;
@@ -47,6 +50,10 @@ class LocoNode {
   train_msgs::LocoTraction traction_msg_;
   ros::WallTime last_sign_of_train_;
   double deadline_s_ = 60.0;
+  ros::WallTime last_look_;  ///< of run() at the clock
+  bool closed_ = false;      ///< no message is worked up any more
+  std::string fault_;        ///< why this locomotive cannot be part of the train
+  std::atomic<bool> ending_{false}, joiner_done_{false};
   std::string said_;
 };
 

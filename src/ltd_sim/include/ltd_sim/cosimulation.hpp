@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace ltd {
 ///   begin()      forces at t_k, sent to every locomotive
 ///   tryCommit()  once all N have answered: speeds compared (the paper's synchronisation check), one step of LTD with
 ///                the very forces that were sent, energies, observers, end of the run
+/// An observer that throws (a full disk, say) fails the run with its reason; the others still see the end.
 /// Never waits: whoever calls decides how. Sums run in index order, so the result does not depend on who answers first.
 class Cosimulation {
  public:
@@ -47,6 +49,7 @@ class Cosimulation {
   std::string modelFailure() const;
   std::string checkSpeeds();
   void checkEnd();
+  void guarded(const std::function<void()>& call);
   bool stalled();
 
   const Scenario& scenario_;

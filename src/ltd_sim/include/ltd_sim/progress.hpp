@@ -39,7 +39,7 @@ class ProgressMeter : public RunObserver {
   Report report_;
   std::size_t lead_;
   Progress progress_;
-  Clock::time_point last_report_;
+  Clock::time_point last_report_, last_look_;
   double last_time_s_ = 0.0;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "rail_core/sim_time.hpp"
@@ -15,7 +16,9 @@ class RunControl {
   struct Situation {
     std::uint64_t step = 0;
     rail::Nanoseconds time = 0;
-    double location_m = 0.0;  ///< of the leading locomotive
+    double location_m = 0.0;                                                     ///< of the leading locomotive
+    rail::Nanoseconds end_time = std::numeric_limits<rail::Nanoseconds>::max();  ///< of the scenario
+    double end_location_m = std::numeric_limits<double>::infinity();             ///< of the scenario
   };
   struct Reply {
     bool accepted = false;
@@ -38,6 +41,7 @@ class RunControl {
  private:
   enum class Mode { kHold, kRun, kUntilStep, kUntilTime, kUntilPlace };
   Reply setTarget(const std::string& command, double value, const Situation& now);
+  double due_s(const Situation& now) const;  ///< wall time before which the pace allows no step
   void restartPace(const Situation& now, double wall_s);
 
   Mode mode_;

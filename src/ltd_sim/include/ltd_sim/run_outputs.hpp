@@ -13,7 +13,7 @@ namespace ltd {
 /// exchange_digest).
 class RunOutputs : public RunObserver {
  public:
-  /// Makes the folder and opens the files; an outcome.yaml of an earlier run there is removed.
+  /// Makes the folder and opens the files; what an earlier run left there is removed.
   /// @throws std::runtime_error with path and reason.
   RunOutputs(const Scenario& scenario, const std::string& folder);
   void onStart(const TrainState& state) override;
@@ -25,6 +25,12 @@ class RunOutputs : public RunObserver {
   std::string folder_;
   std::vector<std::unique_ptr<RunObserver>> writers_;
 };
+
+/// Removes what RunOutputs left in a folder earlier, so that nothing stale stands beside a new outcome. Bags stay.
+void removeOutputs(const std::string& folder);
+
+/// Says in `folder`/outcome.yaml that a run was refused or broke off, after removing what an earlier run left there.
+void writeRefusal(const std::string& folder, const std::string& reason);
 
 /// Writes `folder`/outcome.yaml by a temporary file and rename, so that it is whole or absent.
 void writeOutcome(const std::string& folder, const Outcome& outcome, double time_s, double location_km,

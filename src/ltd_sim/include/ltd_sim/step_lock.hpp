@@ -20,8 +20,9 @@ class StepLock {
     loco::ExchangeId id;  ///< run_id and epoch
     std::string build_id;
     std::uint64_t arithmetic_fingerprint = 0;
-    std::string configuration;           ///< resolved scenario
-    std::vector<std::string> loco_keys;  ///< per locomotive: where it stands in the configuration
+    std::string configuration;             ///< resolved scenario
+    std::vector<std::string> loco_keys;    ///< per locomotive: where it stands in the configuration
+    std::vector<std::size_t> state_sizes;  ///< per locomotive: length of its model's state
     rail::Nanoseconds step_length = 0;
     double resend_interval_s = 0.1;
     double join_deadline_s = 60.0;
@@ -51,7 +52,7 @@ class StepLock {
   void setStart(std::size_t index, double location_m, double speed_mps);
 
   /// Answers a join at once. A slot is given when it is empty, its node has the same name, is no longer connected, or
-  /// has let the answer deadline pass.
+  /// has kept the run waiting for half of the answer deadline.
   loco::JoinAnswer onJoin(const loco::JoinRequest& request, double now_s);
 
   /// Takes, counts or refuses a message.

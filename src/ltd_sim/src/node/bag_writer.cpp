@@ -8,23 +8,33 @@
 namespace ltd {
 
 BagWriter::BagWriter(const Scenario& scenario, const std::string& folder, std::uint64_t run_id)
-    : scenario_(scenario), run_id_(run_id) {
+    : scenario_(scenario), run_id_(run_id), bag_(std::make_unique<rosbag::Bag>()) {
   const std::string path = folder + "/" + scenario.name + ".bag";
   makeDirectories(folder);
   try {
-    bag_.open(path, rosbag::bagmode::Write);
+    bag_->open(path, rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + ": cannot be written: " + error.what());
   }
-  bag_.setCompression(rosbag::compression::LZ4);
+  bag_->setCompression(rosbag::compression::LZ4);
   for (std::size_t i = 1; i <= scenario.train.locomotives.size(); ++i) {
     force_topics_.push_back("/loco_" + std::to_string(i) + "/force");
     traction_topics_.push_back("/loco_" + std::to_string(i) + "/traction");
   }
 }
 
+BagWriter::~BagWriter() {
+  try {
+    bag_->close();
+  } catch (const std::exception&) {
+    // Told already by the write that failed. The bag's own destructor would throw again, which ends the program: leave
+    // it.
+    static_cast<void>(bag_.release());
+  }
+}
+
 void BagWriter::onStart(const TrainState& state) {
-  bag_.write("/train/configuration", toStamp(0), toMsg(scenario_, run_id_));
+  bag_->write("/train/configuration", toStamp(0), toMsg(scenario_, run_id_));
   TrainForces none;  // no force has been computed yet
   none.notch.assign(scenario_.train.locomotives.size(), 0);
   none.coupler.resize(scenario_.train.coupler_type.size());
@@ -41,14 +51,14 @@ void BagWriter::onStep(const StepRecord& record) {
 void BagWriter::onEnd(const TrainState& state, const Outcome&) {
   if (forces_ != nullptr && toStamp(static_cast<rail::Nanoseconds>(state.step) * scenario_.macro_step) != written_)
     writeTelemetry(state, *forces_);
-  bag_.close();
+  bag_->close();
 }
 
 void BagWriter::writeTelemetry(const TrainState& state, const TrainForces& forces) {
   toMsg(scenario_, state, forces, state_msg_);
   toMsg(scenario_, state, energy_msg_);
-  bag_.write("/train/state", state_msg_.header.stamp, state_msg_);
-  bag_.write("/train/energy", energy_msg_.header.stamp, energy_msg_);
+  bag_->write("/train/state", state_msg_.header.stamp, state_msg_);
+  bag_->write("/train/energy", energy_msg_.header.stamp, energy_msg_);
   written_ = state_msg_.header.stamp;
 }
 
@@ -60,10 +70,10 @@ void BagWriter::writeExchange(const StepRecord& record) {
     force.id.locomotive = static_cast<std::uint32_t>(i + 1);
     force.force = record.loco_forces[i];
     toMsg(force, force_msg_);
-    bag_.write(force_topics_[i], force_msg_.header.stamp, force_msg_);
+    bag_->write(force_topics_[i], force_msg_.header.stamp, force_msg_);
     toMsg(force.id, *record.answers[i], traction_msg_);
     traction_msg_.header.stamp = toStamp(end);
-    bag_.write(traction_topics_[i], traction_msg_.header.stamp, traction_msg_);
+    bag_->write(traction_topics_[i], traction_msg_.header.stamp, traction_msg_);
   }
 }
 

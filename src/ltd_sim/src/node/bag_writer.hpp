@@ -21,6 +21,7 @@ class BagWriter : public RunObserver {
  public:
   /// Opens `folder`/SCENARIO.bag. @throws std::runtime_error with path and reason.
   BagWriter(const Scenario& scenario, const std::string& folder, std::uint64_t run_id);
+  ~BagWriter() override;
   void onStart(const TrainState& state) override;
   void onStep(const StepRecord& record) override;
   void onEnd(const TrainState& state, const Outcome& outcome) override;
@@ -33,7 +34,7 @@ class BagWriter : public RunObserver {
   std::uint64_t run_id_;
   const TrainForces* forces_ = nullptr;  ///< of the last step; the co-simulation's
   ros::Time written_;                    ///< stamp of the last telemetry
-  rosbag::Bag bag_;
+  std::unique_ptr<rosbag::Bag> bag_;
   std::vector<std::string> force_topics_, traction_topics_;
   train_msgs::TrainState state_msg_;
   train_msgs::TrainEnergy energy_msg_;

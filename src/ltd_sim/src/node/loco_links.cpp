@@ -7,15 +7,19 @@
 
 namespace ltd {
 
-LocoLinks::LocoLinks(std::size_t locomotives, Receive receive) : receive_(std::move(receive)) {
+LocoLinks::LocoLinks(std::size_t locomotives) {
   node_.setCallbackQueue(&queue_);
-  for (std::size_t i = 1; i <= locomotives; ++i) {
-    const std::string loco = "loco_" + std::to_string(i);
-    publishers_.push_back(node_.advertise<train_msgs::LocoForce>(loco + "/force", 10));
+  for (std::size_t i = 1; i <= locomotives; ++i)
+    publishers_.push_back(node_.advertise<train_msgs::LocoForce>("loco_" + std::to_string(i) + "/force", 10));
+}
+
+void LocoLinks::open(Receive receive) {
+  receive_ = std::move(receive);
+  for (std::size_t i = 1; i <= publishers_.size(); ++i) {
     const boost::function<void(const train_msgs::LocoTractionConstPtr&)> callback =
         [this](const train_msgs::LocoTractionConstPtr& msg) { receive_(*msg); };
-    subscribers_.push_back(node_.subscribe<train_msgs::LocoTraction>(loco + "/traction", 10, callback, ros::VoidPtr(),
-                                                                     ros::TransportHints().tcpNoDelay()));
+    subscribers_.push_back(node_.subscribe<train_msgs::LocoTraction>(
+        "loco_" + std::to_string(i) + "/traction", 10, callback, ros::VoidPtr(), ros::TransportHints().tcpNoDelay()));
   }
 }
 
@@ -24,7 +28,7 @@ void LocoLinks::send(std::size_t index, const loco::ForceMessage& message) {
   publishers_[index].publish(msg_);
 }
 
-void LocoLinks::shutdown() {
+void LocoLinks::close() {
   for (ros::Subscriber& subscriber : subscribers_) subscriber.shutdown();
 }
 

@@ -18,12 +18,18 @@ namespace ltd {
 class LocoLinks {
  public:
   using Receive = std::function<void(const train_msgs::LocoTraction&)>;
-  LocoLinks(std::size_t locomotives, Receive receive);
+  explicit LocoLinks(std::size_t locomotives);
+  ~LocoLinks() { close(); }
+
+  /// From now on answers are handed to `receive`, in another thread, until close().
+  void open(Receive receive);
+  void close();
 
   void send(std::size_t index, const loco::ForceMessage& message);
   /// True while a node publishes this locomotive's answers.
-  bool connected(std::size_t index) const { return subscribers_[index].getNumPublishers() > 0; }
-  void shutdown();
+  bool connected(std::size_t index) const {
+    return index < subscribers_.size() && subscribers_[index].getNumPublishers() > 0;
+  }
 
  private:
   class ImmediateQueue : public ros::CallbackQueueInterface {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <random>
-#include <stdexcept>
 
 #include "bag_writer.hpp"
 #include "conversions.hpp"
+#include "loco_dynamics/loco_factory.hpp"
 #include "rail_core/build_id.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/digest.hpp"
@@ -16,6 +16,7 @@ namespace ltd {
 
 namespace {
 
+constexpr std::uint32_t kFirstEpoch = 1;
 constexpr double kHeartbeat_s = 1.0;
 constexpr double kPatience_s = 1.0;      // before somebody who keeps the run waiting is named
 constexpr double kLongestWait_s = 0.05;  // between two looks at the deadlines
@@ -27,27 +28,22 @@ std::uint64_t drawRunId() {
   return (static_cast<std::uint64_t>(device()) << 32) | device();
 }
 
-std::vector<std::string> locoKeys(const TrainModel& train) {
-  std::vector<std::string> keys;
-  for (const LocoUnit& unit : train.locomotives) keys.push_back(unit.key);
-  return keys;
-}
-
 }  // namespace
 
 LtdNode::LtdNode(const Scenario& scenario, const Options& options)
     : scenario_(scenario),
-      run_id_(drawRunId()),
+      id_{drawRunId(), kFirstEpoch, 0, 0},
       control_(options.hold),
-      links_(scenario.train.locomotives.size(), [this](const train_msgs::LocoTraction& msg) { onTraction(msg); }),
       lock_(
-          lockSettings(options), [this](std::size_t i, const loco::ForceMessage& m) { links_.send(i, m); },
+          lockSettings(), [this](std::size_t i, const loco::ForceMessage& m) { links_.send(i, m); },
           [this](std::size_t i) { return links_.connected(i); }),
       outputs_(scenario, options.out),
-      progress_(scenario, 2.0, [](const Progress& p) { ROS_INFO("%s", toString(p).c_str()); }) {
+      progress_(scenario, 2.0, [](const Progress& p) { ROS_INFO("%s", toString(p).c_str()); }),
+      status_(scenario),
+      links_(scenario.train.locomotives.size()) {
   std::vector<RunObserver*> observers = {&progress_};
-  owned_observers_.push_back(std::make_unique<TelemetryPublisher>(scenario, run_id_));
-  if (options.record) owned_observers_.push_back(std::make_unique<BagWriter>(scenario, options.out, run_id_));
+  owned_observers_.push_back(std::make_unique<TelemetryPublisher>(scenario, id_.run_id));
+  if (options.record) owned_observers_.push_back(std::make_unique<BagWriter>(scenario, options.out, id_.run_id));
   for (const auto& observer : owned_observers_) observers.push_back(observer.get());
   observers.push_back(&outputs_);  // outcome.yaml comes last: when it is there, everything is
   std::vector<loco::LocoPort*> ports;
@@ -57,20 +53,23 @@ LtdNode::LtdNode(const Scenario& scenario, const Options& options)
     const std::size_t vehicle = scenario.train.locomotives[i].vehicle;
     lock_.setStart(i, cosimulation_->state().s_m[vehicle], cosimulation_->state().v_mps[vehicle]);
   }
-  status_publisher_ = node_.advertise<train_msgs::TrainStatus>("train/status", 10, true);
-  diagnostics_publisher_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
   join_server_ = node_.advertiseService("train/join", &LtdNode::onJoin, this);
   step_lock_server_ = node_.advertiseService("train/step_lock", &LtdNode::onStepLock, this);
 }
 
-StepLock::Settings LtdNode::lockSettings(const Options&) const {
+StepLock::Settings LtdNode::lockSettings() const {
   StepLock::Settings settings;
-  settings.id.run_id = run_id_;
-  settings.id.epoch = 1;
+  settings.id = id_;
   settings.build_id = rail::buildId();
   settings.arithmetic_fingerprint = rail::arithmeticFingerprint();
   settings.configuration = scenario_.document.text();
-  settings.loco_keys = locoKeys(scenario_.train);
+  rail::Problems problems;
+  for (const LocoUnit& unit : scenario_.train.locomotives) {
+    const auto locomotive = loco::makeLocomotive(scenario_.document, unit.key, problems);
+    problems.throwIfAny();
+    settings.loco_keys.push_back(unit.key);
+    settings.state_sizes.push_back(locomotive->stateSize());
+  }
   settings.step_length = scenario_.macro_step;
   settings.join_deadline_s = scenario_.lock.join_deadline_s;
   settings.answer_deadline_s = scenario_.lock.answer_deadline_s;
@@ -82,7 +81,9 @@ bool LtdNode::onJoin(train_msgs::JoinTrain::Request& request, train_msgs::JoinTr
   const std::lock_guard<std::mutex> guard(mutex_);
   const loco::JoinAnswer answer = lock_.onJoin(fromMsg(request), wallNow());
   toMsg(answer, response);
-  if (!answer.accepted) ROS_WARN("%s may not join: %s", request.node.c_str(), answer.reason.c_str());
+  if (answer.accepted && begun_)
+    ROS_INFO("loco_%u has joined again for step %lu", request.locomotive, static_cast<unsigned long>(answer.step));
+  if (!answer.accepted) sayOnce(request.node + " may not join: " + answer.reason);
   next_heartbeat_s_ = 0.0;
   news_.notify_one();
   return true;
@@ -103,57 +104,69 @@ bool LtdNode::onStepLock(train_msgs::StepLock::Request& request, train_msgs::Ste
 void LtdNode::onTraction(const train_msgs::LocoTraction& msg) {
   const std::lock_guard<std::mutex> guard(mutex_);
   lock_.onTraction(fromMsg(msg));
-  try {
-    if (cosimulation_ && broken_.empty() && advance()) news_.notify_one();
-  } catch (const std::exception& error) {  // an observer cannot write: run() ends with it, this thread is roscpp's
-    broken_ = error.what();
-    news_.notify_one();
-  }
+  if (advance()) news_.notify_one();
 }
 
 RunControl::Situation LtdNode::situation() const {
-  return {cosimulation_->state().step, cosimulation_->time(), cosimulation_->leadingLocation()};
+  return {cosimulation_->state().step, cosimulation_->time(), cosimulation_->leadingLocation(), scenario_.run.end_time,
+          scenario_.run.end_location_m};
 }
 
 int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
   ros::AsyncSpinner services(1);
   services.start();
-  std::unique_lock<std::mutex> guard(mutex_);
-  cosimulation_->start();
-  while (!cosimulation_->outcome().ended()) {
-    if (!broken_.empty()) throw std::runtime_error(broken_);
-    watch(interrupted);
-    advance();
-    if (cosimulation_->outcome().ended()) break;
-    const double pace_s = control_.paceWait(situation(), wallNow());
-    news_.wait_for(guard,
-                   std::chrono::duration<double>(pace_s > 0.0 ? std::min(pace_s, kLongestWait_s) : kLongestWait_s));
+  {
+    std::unique_lock<std::mutex> guard(mutex_);
+    cosimulation_->start();
   }
-  publishStatus();
+  links_.open([this](const train_msgs::LocoTraction& msg) { onTraction(msg); });
+  {
+    std::unique_lock<std::mutex> guard(mutex_);
+    while (!cosimulation_->outcome().ended()) {
+      watch(interrupted);
+      advance();
+      if (cosimulation_->outcome().ended()) break;
+      const double pace_s = control_.paceWait(situation(), wallNow());
+      const double wait_s = pace_s > 0.0 ? std::min(pace_s, kLongestWait_s) : kLongestWait_s;
+      news_.wait_for(guard, std::chrono::duration<double>(wait_s));
+    }
+    publishStatus();
+  }
+  links_.close();
+  services.stop();
   const Outcome& outcome = cosimulation_->outcome();
   if (outcome.exitStatus() == 0) {
     ROS_INFO("%s: %s", toString(outcome.kind).c_str(), outcome.reason.c_str());
+  } else if (outcome.kind == Outcome::Kind::kStopped) {
+    ROS_WARN("stopped: %s", outcome.reason.c_str());
   } else {
     ROS_ERROR("%s: %s", toString(outcome.kind).c_str(), outcome.reason.c_str());
   }
-  guard.unlock();
-  links_.shutdown();
   ros::WallDuration(0.2).sleep();  // roscpp has no flush: the last status goes out
   return outcome.exitStatus();
+}
+
+void LtdNode::publishStatus() {
+  const std::uint8_t now = phase();
+  if (now == train_msgs::TrainStatus::HELD && now != last_phase_)
+    ROS_INFO("held at %.3f km, %.3f s, step %lu; go on with: rosservice call /train/step_lock RUN 0",
+             cosimulation_->leadingLocation() / rail::kMetresPerKilometre, rail::toSeconds(cosimulation_->time()),
+             static_cast<unsigned long>(cosimulation_->state().step));
+  last_phase_ = now;
+  status_.publish(last_phase_, id_, lock_.waitsFor(wallNow(), kPatience_s), *cosimulation_, lock_, progress_.last());
 }
 
 /// Commits and begins steps as far as answers and commands allow. @return true if run() has something to do now.
 bool LtdNode::advance() {
   while (!cosimulation_->outcome().ended()) {
+    if (!lock_.fault().empty()) return true;
     if (cosimulation_->stepUnderWay()) {
       if (!cosimulation_->tryCommit()) return false;
       continue;
     }
-    const bool ready = first_step_wall_s_ >= 0.0 || lock_.allJoined();
-    const double now_s = wallNow();
-    if (!ready || !control_.mayBegin(situation(), now_s)) return true;
-    if (first_step_wall_s_ < 0.0) {
-      first_step_wall_s_ = now_s;
+    if (!(begun_ || lock_.allJoined()) || !control_.mayBegin(situation(), wallNow())) return true;
+    if (!begun_) {
+      begun_ = true;
       ROS_INFO("all %zu locomotives have joined, %s starts", lock_.size(), scenario_.name.c_str());
     }
     cosimulation_->begin();
@@ -172,12 +185,11 @@ void LtdNode::watch(const volatile std::sig_atomic_t& interrupted) {
     cosimulation_->end(Outcome::Kind::kStopped, "shut down through the ROS master");
   } else if (!lock_.fault().empty()) {
     cosimulation_->end(Outcome::Kind::kFailed, lock_.fault());
-  } else if (control_.stopRequested() && !cosimulation_->stepUnderWay()) {
+  } else if (control_.stopRequested() && (!cosimulation_->stepUnderWay() || !waits_for.empty())) {
     cosimulation_->end(Outcome::Kind::kStopped, "stopped through /train/step_lock");
   }
   if (phase() != last_phase_ || now_s >= next_heartbeat_s_) {
     publishStatus();
-    publishDiagnostics();
     next_heartbeat_s_ = now_s + kHeartbeat_s;
   }
 }
@@ -194,72 +206,12 @@ std::uint8_t LtdNode::phase() const {
     case Outcome::Kind::kRunning:
       break;
   }
-  if (first_step_wall_s_ < 0.0 && !lock_.allJoined()) return Status::JOINING;
+  if (!begun_ && !lock_.allJoined()) return Status::JOINING;
   return control_.held() && !cosimulation_->stepUnderWay() ? Status::HELD : Status::RUNNING;
 }
 
-void LtdNode::publishStatus() {
-  last_phase_ = phase();
-  train_msgs::TrainStatus msg;
-  msg.header.stamp = toStamp(cosimulation_->time());
-  msg.run_id = run_id_;
-  msg.epoch = 1;
-  msg.phase = last_phase_;
-  msg.reason =
-      cosimulation_->outcome().ended() ? cosimulation_->outcome().reason : lock_.waitsFor(wallNow(), kPatience_s);
-  msg.step = cosimulation_->state().step;
-  msg.time = rail::toSeconds(cosimulation_->time());
-  msg.location = cosimulation_->leadingLocation();
-  msg.real_time_factor = progress_.last().real_time_factor;
-  msg.time_left = last_phase_ == train_msgs::TrainStatus::RUNNING ? progress_.last().time_left_s : -1.0;
-  for (std::size_t i = 0; i < lock_.size(); ++i) {
-    msg.joined.push_back(static_cast<std::uint8_t>(lock_.joined(i)));
-    msg.incarnation.push_back(lock_.incarnation(i));
-  }
-  msg.resent = lock_.counters().resent;
-  msg.repeated = lock_.counters().repeated;
-  msg.refused = lock_.counters().refused;
-  msg.last_refused = lock_.counters().last_refused;
-  status_publisher_.publish(msg);
-}
-
-void LtdNode::publishDiagnostics() {
-  const auto value = [](const std::string& key, const std::string& text) {
-    diagnostic_msgs::KeyValue pair;
-    pair.key = key;
-    pair.value = text;
-    return pair;
-  };
-  diagnostic_msgs::DiagnosticStatus lock;
-  const std::string waits_for = lock_.waitsFor(wallNow(), kPatience_s);
-  lock.name = "train: step lock";
-  lock.hardware_id = scenario_.name;
-  lock.level = waits_for.empty() ? diagnostic_msgs::DiagnosticStatus::OK : diagnostic_msgs::DiagnosticStatus::WARN;
-  lock.message = waits_for.empty() ? "all locomotives answer" : waits_for;
-  lock.values = {value("step", std::to_string(cosimulation_->state().step)),
-                 value("resent", std::to_string(lock_.counters().resent)),
-                 value("repeated", std::to_string(lock_.counters().repeated)),
-                 value("refused", std::to_string(lock_.counters().refused)),
-                 value("last refused", lock_.counters().last_refused)};
-  diagnostic_msgs::DiagnosticStatus dynamics;
-  const double use = cosimulation_->forces().step_use;
-  dynamics.name = "train: longitudinal dynamics";
-  dynamics.hardware_id = scenario_.name;
-  dynamics.level = use <= 1.0 ? diagnostic_msgs::DiagnosticStatus::OK : diagnostic_msgs::DiagnosticStatus::WARN;
-  dynamics.message = use <= 1.0 ? "the step bears the coupler forces" : "macro step too long for the coupler forces";
-  dynamics.values = {
-      value("share of the largest step", std::to_string(use)),
-      value("vehicle", std::to_string(cosimulation_->forces().step_use_vehicle + 1)),
-      value("largest speed difference to a locomotive [m/s]", std::to_string(cosimulation_->largestDrift()))};
-  diagnostic_msgs::DiagnosticArray msg;
-  msg.header.stamp = ros::Time(ros::WallTime::now().sec, ros::WallTime::now().nsec);
-  msg.status = {lock, dynamics};
-  diagnostics_publisher_.publish(msg);
-}
-
 void LtdNode::sayOnce(const std::string& what) {
-  if (what == said_) return;
-  said_ = what;
+  if (!said_.insert(what).second) return;
   ROS_WARN("%s", what.c_str());
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/ros.h>
 #include <train_msgs/JoinTrain.h>
 #include <train_msgs/LocoForce.h>
@@ -12,6 +11,7 @@
 #include <csignal>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +22,7 @@
 #include "ltd_sim/run_outputs.hpp"
 #include "ltd_sim/scenario.hpp"
 #include "ltd_sim/step_lock.hpp"
+#include "status_publisher.hpp"
 
 namespace ltd {
 
@@ -47,7 +48,7 @@ class LtdNode {
   int run(const volatile std::sig_atomic_t& interrupted);
 
  private:
-  StepLock::Settings lockSettings(const Options& options) const;
+  StepLock::Settings lockSettings() const;
   bool onJoin(train_msgs::JoinTrain::Request& request, train_msgs::JoinTrain::Response& response);
   bool onStepLock(train_msgs::StepLock::Request& request, train_msgs::StepLock::Response& response);
   void onTraction(const train_msgs::LocoTraction& msg);
@@ -56,29 +57,29 @@ class LtdNode {
   void watch(const volatile std::sig_atomic_t& interrupted);
   std::uint8_t phase() const;
   void publishStatus();
-  void publishDiagnostics();
   void sayOnce(const std::string& what);
 
   const Scenario& scenario_;
-  std::uint64_t run_id_;
+  loco::ExchangeId id_;
+
+  std::mutex mutex_;  ///< guards all below but links_
+  std::condition_variable news_;
   RunControl control_;
-  LocoLinks links_;
   StepLock lock_;
   RunOutputs outputs_;
   ProgressMeter progress_;
+  StatusPublisher status_;
   std::vector<std::unique_ptr<RunObserver>> owned_observers_;
   std::unique_ptr<Cosimulation> cosimulation_;
-
-  ros::NodeHandle node_;
-  ros::Publisher status_publisher_, diagnostics_publisher_;
-  ros::ServiceServer join_server_, step_lock_server_;
-  std::mutex mutex_;  ///< guards everything above
-  std::condition_variable news_;
-  std::string said_;
-  std::string broken_;  ///< what an observer could not do, found in the receiving thread
+  std::set<std::string> said_;
   double next_heartbeat_s_ = 0.0;
   std::uint8_t last_phase_ = 255;
-  double first_step_wall_s_ = -1.0;
+  bool begun_ = false;  ///< the first step has been sent
+
+  // Last, so that nothing is received or served any more when the rest goes.
+  ros::NodeHandle node_;
+  LocoLinks links_;
+  ros::ServiceServer join_server_, step_lock_server_;
 };
 
 }  // namespace ltd

@@ -3,20 +3,34 @@
 #include <ros/ros.h>
 
 #include <exception>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
 #include "ltd_node.hpp"
-#include "ltd_sim/csv_file.hpp"
 
 namespace ltd {
 
 namespace {
 
-std::string required(const ros::NodeHandle& node, const std::string& name, const std::string& what) {
-  std::string value;
-  if (!node.getParam(name, value) || value.empty()) throw std::runtime_error("ltd: ~" + name + ": is missing: " + what);
+/// A parameter of the type of `fallback`. @throws if it is there with another type: nothing is taken for something
+/// else.
+template <typename Value>
+Value readParameter(const ros::NodeHandle& node, const std::string& name, Value fallback, const std::string& rule) {
+  Value value = fallback;
+  if (node.hasParam(name) && !node.getParam(name, value)) throw std::runtime_error("ltd: ~" + name + ": " + rule);
   return value;
+}
+
+std::string required(const ros::NodeHandle& node, const std::string& name, const std::string& what) {
+  const std::string value = readParameter<std::string>(node, name, "", "must be text: " + what);
+  if (value.empty()) throw std::runtime_error("ltd: ~" + name + ": is missing: " + what);
+  return value;
+}
+
+/// Nodes of a launch start in ROS_HOME; paths that a user types count from where he called roslaunch.
+void changeDirectory(const std::string& directory) {
+  if (!directory.empty()) std::filesystem::current_path(directory);
 }
 
 std::vector<rail::Override> readOverrides(const std::string& text) {
@@ -44,11 +58,7 @@ int leaveReason(const std::string& out, const std::string& reason, int status) {
   ROS_FATAL("%s", reason.c_str());
   if (!out.empty()) {
     try {
-      makeDirectories(out);
-      Outcome outcome;
-      outcome.kind = Outcome::Kind::kFailed;
-      outcome.reason = reason;
-      writeOutcome(out, outcome, 0.0, 0.0, 0);
+      writeRefusal(out, reason);
     } catch (const std::exception& error) {
       ROS_FATAL("%s", error.what());
     }
@@ -63,12 +73,13 @@ int runProgram(const volatile std::sig_atomic_t& interrupted) {
   LtdNode::Options options;
   Scenario scenario;
   try {
-    options.out = required(parameters, "out", "folder of the results, absolute");
-    options.record = parameters.param("record", true);
-    options.hold = parameters.param("hold", false);
-    const std::string file = required(parameters, "scenario", "path of the scenario, absolute");
-    scenario = Scenario::load(file, readOverrides(parameters.param<std::string>("set", "")));
-    checkCount(parameters.param("locomotives", 0), scenario);
+    changeDirectory(readParameter<std::string>(parameters, "directory", "", "must be a path"));
+    options.out = required(parameters, "out", "folder of the results");
+    options.record = readParameter(parameters, "record", true, "must be true or false");
+    options.hold = readParameter(parameters, "hold", false, "must be true or false");
+    const std::string file = required(parameters, "scenario", "path of the scenario");
+    scenario = Scenario::load(file, readOverrides(readParameter<std::string>(parameters, "set", "", "must be text")));
+    checkCount(readParameter(parameters, "locomotives", 0, "must be a whole number"), scenario);
   } catch (const std::exception& error) {
     return leaveReason(options.out, error.what(), 2);
   }

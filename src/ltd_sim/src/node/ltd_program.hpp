@@ -5,8 +5,9 @@
 namespace ltd {
 
 /// The program ltd_node: reads its private parameters, loads the scenario, runs it as LtdNode.
-///   ~scenario     path of the scenario, absolute
-///   ~out          folder of the results, absolute
+///   ~scenario     path of the scenario
+///   ~out          folder of the results
+///   ~directory    where relative paths count from (default: the working directory)
 ///   ~record       write a bag (default true)
 ///   ~hold         start held (default false)
 ///   ~locomotives  how many locomotives the launch starts; 0 (default) if nobody counted

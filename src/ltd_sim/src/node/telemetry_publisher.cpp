@@ -10,8 +10,8 @@ namespace ltd {
 TelemetryPublisher::TelemetryPublisher(const Scenario& scenario, std::uint64_t run_id)
     : scenario_(scenario), run_id_(run_id) {
   configuration_ = node_.advertise<train_msgs::RunConfiguration>("train/configuration", 1, true);
-  state_ = node_.advertise<train_msgs::TrainState>("train/state", 100);
-  energy_ = node_.advertise<train_msgs::TrainEnergy>("train/energy", 100);
+  state_ = node_.advertise<train_msgs::TrainState>("train/state", 100, true);
+  energy_ = node_.advertise<train_msgs::TrainEnergy>("train/energy", 100, true);
   clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 100);
 }
 

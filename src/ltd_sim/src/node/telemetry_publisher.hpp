@@ -9,7 +9,7 @@
 namespace ltd {
 
 /// Publishes a run as it goes, at the scenario's telemetry interval in simulation time: /train/state, /train/energy and
-/// /clock; /train/configuration once, latched.
+/// /clock; /train/configuration once. All but the clock are latched, so that a held train shows its last state.
 class TelemetryPublisher : public RunObserver {
  public:
   TelemetryPublisher(const Scenario& scenario, std::uint64_t run_id);

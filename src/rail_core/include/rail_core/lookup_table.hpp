@@ -20,20 +20,6 @@ class LookupTable {
   std::vector<double> x_, y_;
 };
 
-/// Bilinear z(x, y) on a full grid, constant beyond its edges; x and y rise strictly; z[i][j] belongs to x[i], y[j].
-class LookupTable2d {
- public:
-  LookupTable2d() = default;
-  /// @throws std::invalid_argument as above.
-  LookupTable2d(std::vector<double> x, std::vector<double> y, std::vector<std::vector<double>> z);
-  double operator()(double x, double y) const;
-  double largest() const;
-
- private:
-  std::vector<double> x_, y_;
-  std::vector<std::vector<double>> z_;
-};
-
 /// "" if the numbers rise strictly, otherwise the rule with the offending index, counted from 0 as in keys
 /// ("must rise: 3.2 after 3.5, entry 4").
 std::string risingRule(const std::vector<double>& x);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,12 +27,16 @@ class Problems {
 
   bool empty() const { return lines_.empty(); }
   const std::vector<std::string>& lines() const { return lines_; }
+  /// How often a problem was added, repeated ones too: unchanged means that nothing was wrong meanwhile.
+  std::size_t count() const { return count_; }
 
   /// @throws ConfigError with all lines if there are any.
   void throwIfAny() const;
 
  private:
+  void addOnce(const std::string& line);  ///< a file that is named three times is at fault once
   std::vector<std::string> lines_;
+  std::size_t count_ = 0;
 };
 
 /// The member of `known` nearest to `word` by edit distance, or "" if none is near enough to be a misspelling.

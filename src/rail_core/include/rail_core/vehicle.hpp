@@ -30,6 +30,7 @@ struct Vehicle {
   }
 };
 
+/// Reads a vehicle. A mass must lie between 1 t and 1000 t: chosen, so that tonnes given for kilograms are noticed.
 /// Asks `reader` for the keys of a vehicle: name, mass_kg, axles, length_m, rotary_mass_kg_per_axle and the map
 /// resistance; leaves finish() to the caller, who knows of further keys.
 Vehicle readVehicle(YamlReader& reader);

@@ -30,7 +30,7 @@ def draw_coupler_forces(run: Run) -> Optional[Figure]:
     axes.set_ylabel('coupler, counted from the head')
     axes.set_xlabel('time since the start of the run [s]')
     draft, buff = max(force_kN.max(), 0.0), abs(min(force_kN.min(), 0.0))
-    axes.set_title(f'In-train forces, {run.label}\nlargest draft {draft:.0f} kN, largest buff {buff:.0f} kN', pad=10)
+    axes.set_title(f'In-train forces, {run.label}\nlargest recorded: draft {draft:.0f} kN, buff {buff:.0f} kN', pad=10)
     _add_places(axes, run)
     return figure
 
