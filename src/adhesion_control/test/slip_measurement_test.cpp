@@ -26,7 +26,7 @@ TEST(SlipMeasurementTest, IsTheExcessOfTheRimOverTheTrainsSpeed) {
 TEST(SlipMeasurementTest, BelowTheFloorItIsMeasuredAgainstHalfAMetrePerSecond) {
   EXPECT_DOUBLE_EQ(adhesion::computeSlip(1.0, 0.0, kRadius_m), kRadius_m / 0.5);
   EXPECT_DOUBLE_EQ(adhesion::computeSlip(1.0, 0.4, kRadius_m), (kRadius_m - 0.4) / 0.5);
-  EXPECT_DOUBLE_EQ(adhesion::computeSlip(0.0, -0.2, kRadius_m), 0.4);  // rolling back counts as standing
+  EXPECT_DOUBLE_EQ(adhesion::computeSlip(0.0, -2.0, kRadius_m), 4.0);  // rolling back counts as standing
 }
 
 }  // namespace
