@@ -19,7 +19,7 @@ constexpr double kLongestTime_s = 10.0;  // chosen: a lag or period beyond it is
 rail::Nanoseconds readSamplingPeriod(rail::YamlReader& reader, rail::Nanoseconds micro_step) {
   const double period_s = reader.number("sampling_period_s", rail::between(0.0, kLongestTime_s));
   const std::optional<rail::Nanoseconds> period = rail::wholeNanoseconds(period_s);
-  if (!period) {
+  if (!period || (*period == 0 && period_s != 0.0)) {  // 1e-13 s would round to 0 and get another meaning
     reader.refuse("sampling_period_s", "must be a whole number of nanoseconds");
   } else if (micro_step > 0 && *period % micro_step != 0) {
     std::ostringstream rule;

@@ -98,6 +98,8 @@ TEST(ControllerFactoryTest, SamplingPeriodMustFitTheMicroStep) {
   EXPECT_EQ(problemsOf(replaced(kPi, "0.004", "0"), 8000000), Lines());
   EXPECT_EQ(problemsOf(replaced(kPi, "0.004", "0.0033333333333333"), 0),
             (Lines{"c.yaml: sampling_period_s = 0.0033333333333333: must be a whole number of nanoseconds"}));
+  EXPECT_EQ(problemsOf(replaced(kPi, "0.004", "1.0e-13")),
+            (Lines{"c.yaml: sampling_period_s = 1.0e-13: must be a whole number of nanoseconds"}));
 }
 
 TEST(ControllerFactoryTest, EveryKeyGoesToItsField) {
