@@ -1,0 +1,4 @@
+#pragma once
+
+/// Calls of the global operator new so far in this program.
+long countedAllocations();
