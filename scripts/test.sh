@@ -60,8 +60,9 @@ cmake -S "$REPO/without_ros" -B "$REPO/build_plain" -DCMAKE_BUILD_TYPE=Release -
 cmake --build "$REPO/build_plain" -j "$(parallel_jobs)" || not_built "the build without ROS (see the first error above)"
 
 stop_time=$(date -d "+$all_tests_limit" +%H:%M:%S)
-# In a fresh checkout catkin's own environment for tests, made before anything was built, lacks the Python packages.
-source_setup "$REPO/devel/setup.bash"
+# catkin runs tests in an environment that it wrote down while configuring, and leaves out folders that were not there
+# then: in a fresh checkout all that was just built. So let it write that down again.
+cmake "$REPO/build" > "$REPO/build/configure_again.log" || not_built "configuring again"
 run_tests "$REPO/build"
 run_tests "$REPO/build_plain"
 "$PYTHON" "$REPO/scripts/count_tests.py" --source "$REPO/src" "$REPO/build" "$REPO/build_plain"
