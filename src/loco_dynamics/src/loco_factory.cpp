@@ -1,8 +1,11 @@
 #include "loco_dynamics/loco_factory.hpp"
 
+#include <cmath>
 #include <sstream>
 
+#include "loco_dynamics/contact/contact_config.hpp"
 #include "loco_dynamics/loco_1d.hpp"
+#include "loco_dynamics/loco_2d.hpp"
 #include "rail_core/vehicle.hpp"
 
 namespace loco {
@@ -37,7 +40,7 @@ rail::YamlReader readerAt(const rail::Document& document, const std::string& pat
 }  // namespace
 
 const std::vector<std::string>& knownModels() {
-  static const std::vector<std::string> models = {"1d"};
+  static const std::vector<std::string> models = {"1d", "2d"};
   return models;
 }
 
@@ -45,21 +48,49 @@ double readAdhesionLimit(rail::YamlReader& reader) {
   return reader.number("adhesion_limit", rail::aboveUpTo(0.0, 1.0));
 }
 
+ModelOptions readModelOptions(rail::YamlReader& root, const std::string& model, rail::Nanoseconds micro_step) {
+  ModelOptions options;
+  if (model == "1d") return options;
+  options.creep = readCreepLaw(root.map("adhesion"));
+  options.control = adhesion::readController(root.map("control"), micro_step);
+  return options;
+}
+
+LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, double vehicle_mass_kg) {
+  LocoDetails details;
+  const bool needed = model != "1d";
+  if (!needed && !reader.has("bodies") && !reader.has("contact")) return details;
+  const std::size_t problems_before = reader.problems().count();
+  details.structure = LocoStructure::read(reader.map("bodies"));
+  details.contact = PlanarContact::read(reader.map("contact"), details.structure.wheel_radius_m);
+  if (reader.problems().count() != problems_before) return details;
+  const double sum_kg = details.structure.totalMass();
+  if (std::abs(sum_kg - vehicle_mass_kg) > 1e-9 * vehicle_mass_kg)
+    reader.refuse("mass_kg", "must be the sum of the bodies' masses, " + std::to_string(sum_kg) + " kg");
+  return details;
+}
+
 std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const std::string& key,
                                            rail::Problems& problems) {
   const std::size_t problems_before = problems.count();
   rail::YamlReader root(scenario, problems);
-  root.choice("locomotive_model", knownModels());
+  const std::string model = root.choice("locomotive_model", knownModels());
   const bool rotary_inertia = root.boolean("rotary_inertia");
+  const rail::Nanoseconds micro_step =
+      model == "1d" ? 0
+                    : rail::wholeNanoseconds(root.map("steps").number("micro_step_s", rail::positive())).value_or(0);
+  const ModelOptions options = readModelOptions(root, model, micro_step);
 
   rail::YamlReader reader = readerAt(scenario, key, problems);
   const rail::Vehicle vehicle = rail::readVehicle(reader);
-  Loco1d::Parameters parameters;
-  parameters.mass_kg = vehicle.mass_kg;
-  parameters.inertial_mass_kg = vehicle.inertialMass(rotary_inertia);
-  parameters.adhesion_limit = readAdhesionLimit(reader);
+  const double adhesion_limit = readAdhesionLimit(reader);
+  const LocoDetails details = readLocoDetails(reader, model, vehicle.mass_kg);
   if (problems.count() != problems_before) return nullptr;
-  return std::make_unique<Loco1d>(parameters);
+  if (model == "1d")
+    return std::make_unique<Loco1d>(
+        Loco1d::Parameters{vehicle.mass_kg, vehicle.inertialMass(rotary_inertia), adhesion_limit});
+  return std::make_unique<Loco2d>(Loco2d::Parameters{details.structure, details.contact, options.creep, options.control,
+                                                     adhesion_limit, micro_step});
 }
 
 }  // namespace loco

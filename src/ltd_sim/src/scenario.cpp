@@ -172,10 +172,12 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   scenario.locomotive_model = root.choice("locomotive_model", loco::knownModels());
   scenario.rotary_inertia = root.boolean("rotary_inertia");
   const bool step_known = isSound(problems, [&] { readSteps(root.map("steps"), scenario); });
+  loco::readModelOptions(root, scenario.locomotive_model, step_known ? scenario.micro_step : 0);
   const bool run_known = isSound(problems, [&] { scenario.run = readRun(root.map("run")); });
   scenario.lock = readLock(root.map("lock"));
-  const bool train_known =
-      isSound(problems, [&] { scenario.train = TrainModel::read(root.map("train"), scenario.rotary_inertia); });
+  const bool train_known = isSound(problems, [&] {
+    scenario.train = TrainModel::read(root.map("train"), scenario.locomotive_model, scenario.rotary_inertia);
+  });
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
   scenario.driver = readDriver(root.map("driver"), scenario.train);
   const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};

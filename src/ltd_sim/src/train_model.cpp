@@ -17,7 +17,8 @@ constexpr std::size_t kMostVehicles = 5000;  // chosen: longer than any train, a
 /// Builds a TrainModel group by group.
 class TrainBuilder {
  public:
-  TrainBuilder(TrainModel& train, bool rotary_inertia) : train_(train), rotary_inertia_(rotary_inertia) {}
+  TrainBuilder(TrainModel& train, const std::string& model, bool rotary_inertia)
+      : train_(train), model_(model), rotary_inertia_(rotary_inertia) {}
 
   std::size_t addCoupler(rail::YamlReader reader) {
     train_.coupler_types.emplace_back(Coupler::read(reader));
@@ -50,7 +51,12 @@ class TrainBuilder {
     rail::YamlReader reader = group.map("vehicle");
     const rail::Vehicle vehicle = rail::readVehicle(reader);
     LocoUnit unit;
-    if (locomotive) unit = readLocomotive(group, reader);
+    if (locomotive) {
+      unit = readLocomotive(group, reader);
+      loco::readLocoDetails(reader, model_, vehicle.mass_kg);
+    }
+    // A locomotive whose wheelsets spin in its own model has their inertia there.
+    const bool rotary_inertia = rotary_inertia_ && !(locomotive && model_ != "1d");
     reader.finish();
     group.finish();
     if (!roomFor(group, "count", static_cast<std::size_t>(count))) return;
@@ -60,7 +66,7 @@ class TrainBuilder {
         train_.locomotives.push_back(unit);
       }
       train_.vehicles.push_back(vehicle);
-      train_.inertial_mass_kg.push_back(vehicle.inertialMass(rotary_inertia_));
+      train_.inertial_mass_kg.push_back(vehicle.inertialMass(rotary_inertia));
       coupler_behind_.push_back(coupler);
     }
   }
@@ -107,6 +113,7 @@ class TrainBuilder {
   }
 
   TrainModel& train_;
+  std::string model_;
   bool rotary_inertia_;
   std::vector<std::size_t> coupler_behind_;  ///< per vehicle
 };
@@ -119,9 +126,9 @@ double TrainModel::grossMass_t() const {
   return mass_kg / rail::kKilogramsPerTonne;
 }
 
-TrainModel TrainModel::read(rail::YamlReader reader, bool rotary_inertia) {
+TrainModel TrainModel::read(rail::YamlReader reader, const std::string& locomotive_model, bool rotary_inertia) {
   TrainModel train;
-  TrainBuilder builder(train, rotary_inertia);
+  TrainBuilder builder(train, locomotive_model, rotary_inertia);
   train.name = reader.text("name");
   const std::size_t coupler = builder.addCoupler(reader.map("coupler"));
   builder.addGroups(reader, coupler);

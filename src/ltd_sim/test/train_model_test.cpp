@@ -39,7 +39,7 @@ std::string trainText(const std::string& groups) {
 }
 
 auto reading(bool rotary_inertia) {
-  return [rotary_inertia](rail::YamlReader root) { return TrainModel::read(root.map("train"), rotary_inertia); };
+  return [rotary_inertia](rail::YamlReader root) { return TrainModel::read(root.map("train"), "1d", rotary_inertia); };
 }
 TrainModel read(const std::string& groups, bool rotary_inertia = false) {
   return fixtures::readMap(trainText(groups), reading(rotary_inertia));

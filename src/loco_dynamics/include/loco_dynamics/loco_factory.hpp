@@ -3,7 +3,11 @@
 #include <memory>
 #include <string>
 
+#include "adhesion_control/controller_factory.hpp"
+#include "loco_dynamics/contact/creep_law.hpp"
+#include "loco_dynamics/loco_structure.hpp"
 #include "loco_dynamics/locomotive.hpp"
+#include "loco_dynamics/planar_contact.hpp"
 #include "rail_core/document.hpp"
 #include "rail_core/yaml_reader.hpp"
 
@@ -14,6 +18,27 @@ const std::vector<std::string>& knownModels();
 
 /// Asks a locomotive's map for adhesion_limit: largest traction over weight [-]; leaves finish() to the caller.
 double readAdhesionLimit(rail::YamlReader& reader);
+
+/// What a scenario's root says for locomotives with wheel-rail contact.
+struct ModelOptions {
+  CreepLawParameters creep;
+  adhesion::ControlParameters control;
+};
+
+/// Asks the scenario's root for `adhesion` and `control` (usually adhesion_file, control_file), which every model but
+/// 1d needs and 1d must not have.
+/// @param micro_step  h [ns]; <= 0 if it is not known
+ModelOptions readModelOptions(rail::YamlReader& root, const std::string& model, rail::Nanoseconds micro_step);
+
+/// What a locomotive's own map says of its bodies and contacts.
+struct LocoDetails {
+  LocoStructure structure;
+  PlanarContact::Parameters contact;
+};
+
+/// Asks a locomotive's map for `bodies` and `contact`, which every model but 1d needs, and checks that the bodies'
+/// masses add up to the vehicle's; leaves finish() to the caller.
+LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, double vehicle_mass_kg);
 
 /// Makes the locomotive whose map stands at the dotted path `key` of a resolved scenario, e.g. train.groups.0.vehicle,
 /// with the model and options that the scenario's root gives. The whole scenario has been checked by its reader; what

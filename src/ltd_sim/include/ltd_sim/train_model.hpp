@@ -37,7 +37,7 @@ struct TrainModel {
   ///   {vehicle(_file), kind: locomotive, count, notch_group, coupler(_file) optional} or
   ///   {vehicle(_file), kind: wagon, count, coupler(_file) optional} or {repeat, groups}.
   /// A group's coupler is the one behind each of its vehicles.
-  static TrainModel read(rail::YamlReader reader, bool rotary_inertia);
+  static TrainModel read(rail::YamlReader reader, const std::string& locomotive_model, bool rotary_inertia);
 };
 
 /// The longest macro step that the explicit couplers of this train bear, for a largest coupler force.  (T6)

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "adhesion_control/controller_factory.hpp"
+#include "adhesion_control/torque_limit.hpp"
+#include "loco_dynamics/body_dynamics.hpp"
+#include "loco_dynamics/loco_structure.hpp"
+#include "loco_dynamics/locomotive.hpp"
+#include "loco_dynamics/planar_contact.hpp"
+
+namespace loco {
+
+/// The 2D locomotive of Wu et al. 2020, Sect. 3.3: nine bodies with longitudinal, bounce and pitch motion (27 degrees
+/// of freedom), wheelsets in the middle of the track, adhesion control. What acts where: couplers on the car body at
+/// their height, propulsion and curving resistance at the car body's CoG, the grade's force on every body by its mass,
+/// the motors' torque on the wheelset and its reaction as a couple on the bogie frame.
+///
+/// State: positions and velocities of the bodies, the yaw dampers' own displacements, the controller's state.
+class Loco2d : public Locomotive {
+ public:
+  struct Parameters {
+    LocoStructure structure;
+    PlanarContact::Parameters contact;
+    CreepLawParameters creep;
+    adhesion::ControlParameters control;
+    double adhesion_limit = 0.0;       ///< of the weight [-]
+    rail::Nanoseconds micro_step = 0;  ///< h
+  };
+  explicit Loco2d(const Parameters& parameters);
+
+  std::size_t stateSize() const override;
+  std::vector<double> equilibriumState(double location_m, double speed_mps) const override;
+  void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
+
+  /// What one axle did in the last micro step.
+  struct Axle {
+    double normal_N = 0.0;       ///< of both wheels
+    double force_N = 0.0;        ///< of both wheels, + forward
+    double slip_mps = 0.0;       ///< w = omega r - v
+    double creep = 0.0;          ///< w over max(v, 0.5)
+    double friction = 0.0;       ///< mu that the rail offers
+    double torque_N_m = 0.0;     ///< of the motor on the wheelset
+    double reference_N_m = 0.0;  ///< asked for, before control
+    bool controlled = false;     ///< the controller takes torque away
+  };
+  const std::array<Axle, BodyLayout::kAxles>& axles() const { return axles_; }
+
+  /// Energies of the last macro step [J], for the locomotive's account:
+  ///   motors + outer = d(kinetic) + d(stored) + dampers + slip + contact_damping + residual
+  struct Account {
+    double motors = 0.0;                 ///< torque times spin of the wheelset against its frame
+    double outer = 0.0;                  ///< work of couplers, resistances and grade
+    double dampers = 0.0;                ///< in the suspension
+    double slip = 0.0;                   ///< between wheel and rail
+    double contact_damping = 0.0;        ///< in the normal contact
+    double kinetic = 0.0, stored = 0.0;  ///< change of
+    double residual() const { return motors + outer - kinetic - stored - dampers - slip - contact_damping; }
+  };
+  const Account& account() const { return account_; }
+
+ private:
+  void addOuterForces(const LocoForce& force, BodyVector& loads) const;
+  void addTorques(const LocoForce& force, double v_train_mps, double* control_state, BodyVector& loads);
+  void addContactForces(double h, BodyVector& loads);
+  double storedEnergy() const;
+  void book(const LocoForce& force, const BodyVector& v_old, double h, LocoTraction& answer);
+
+  Parameters parameters_;
+  mutable BodyDynamics dynamics_;
+  PlanarContact contact_;
+  std::unique_ptr<const adhesion::AdhesionController> controller_;
+  adhesion::TorqueLimit torque_limit_;
+  std::vector<adhesion::AxleMeasurement> measurements_;
+  std::vector<adhesion::AxleCommand> commands_;
+  BodyState state_;
+  std::array<Axle, BodyLayout::kAxles> axles_;
+  std::array<double, BodyLayout::kAxles> damping_normal_N_{};
+  Account account_;
+};
+
+}  // namespace loco

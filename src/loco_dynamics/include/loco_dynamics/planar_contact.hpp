@@ -1,0 +1,55 @@
+#pragma once
+
+#include "loco_dynamics/contact/creep_law.hpp"
+#include "loco_dynamics/contact/hertz.hpp"
+#include "rail_core/yaml_reader.hpp"
+
+namespace loco {
+
+/// Contact of a wheelset that stays in the middle of straight track: both wheels alike, one constant geometry.
+/// Constant.
+///   N = K delta^1.5 + c delta',  N >= 0                                                                   (P1)
+/// for each wheel; the creep force of both wheels together from the creep law, longitudinal creep only.
+class PlanarContact {
+ public:
+  struct Parameters {
+    double rail_crown_radius_m = 0.0;             ///< of the rail head, transverse
+    double wheel_transverse_curvature_1pm = 0.0;  ///< < 0: the tread is hollow
+    double wheel_radius_m = 0.0;
+    double normal_damping_N_s_per_m = 0.0;  ///< c, a wheel
+    Elasticity elasticity;
+    double shear_modulus_Pa = 82e9;
+  };
+  /// Reads rail_crown_radius_m, wheel_transverse_curvature_1pm, normal_damping_N_s_per_m, young_modulus_Pa,
+  /// poisson_ratio, shear_modulus_Pa; finishes the reader.
+  static Parameters read(rail::YamlReader reader, double wheel_radius_m);
+
+  PlanarContact(const Parameters& parameters, const CreepLawParameters& creep);
+
+  /// Force of one wheel [N], >= 0, at approach delta [m] and its rate [m/s].
+  double computeNormalForce(double approach_m, double approach_rate_mps) const;
+  /// Elastic energy of one wheel's contact [J].
+  double computeStoredEnergy(double approach_m) const;
+  double computeApproach(double normal_N) const { return hertz_.computeApproach(normal_N); }
+  double computeTangentStiffness(double approach_m) const { return hertz_.computeTangentStiffness(approach_m); }
+
+  struct AxleForce {
+    double force_N = 0.0;          ///< of both wheels on the wheelset, + forward
+    double friction = 0.0;         ///< mu that the rail offers at this slip speed
+    double slope_N_s_per_m = 0.0;  ///< dF/dw, w slip speed of the wheels over the rail, + driving
+  };
+  /// @param normal_N  of one wheel
+  /// @param slip_mps  w = omega r - v, + driving
+  /// @param v_mps     speed of the wheelset along the track
+  AxleForce computeAxleForce(double normal_N, double slip_mps, double v_mps) const;
+
+ private:
+  double forceOf(const ContactPatch& patch, double slip_mps, double v_mps, double& friction) const;
+
+  Parameters parameters_;
+  HertzContact hertz_;
+  KalkerCoefficients kalker_;
+  CreepLaw creep_;
+};
+
+}  // namespace loco

@@ -1,0 +1,72 @@
+#include "loco_dynamics/planar_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "loco_dynamics/contact/creepage.hpp"
+
+namespace loco {
+
+namespace {
+
+/// Pure longitudinal creep has an exact and cheaper form of the paper's law.
+CreepLawParameters withoutGrid(CreepLawParameters parameters) {
+  if (parameters.method == CreepMethod::kModfastsim) parameters.method = CreepMethod::kClosed;
+  return parameters;
+}
+
+}  // namespace
+
+PlanarContact::Parameters PlanarContact::read(rail::YamlReader reader, double wheel_radius_m) {
+  Parameters p;
+  p.wheel_radius_m = wheel_radius_m;
+  p.rail_crown_radius_m = reader.number("rail_crown_radius_m", rail::between(0.01, 10.0));
+  p.wheel_transverse_curvature_1pm = reader.number("wheel_transverse_curvature_1pm", rail::between(-100.0, 100.0));
+  p.normal_damping_N_s_per_m = reader.number("normal_damping_N_s_per_m", rail::notNegative());
+  p.elasticity.young_Pa = reader.number("young_modulus_Pa", rail::positive());
+  p.elasticity.poisson = reader.number("poisson_ratio", rail::between(0.0, 0.5));
+  p.shear_modulus_Pa = reader.number("shear_modulus_Pa", rail::positive());
+  if (1.0 / p.rail_crown_radius_m + p.wheel_transverse_curvature_1pm <= 0.0)
+    reader.refuse("wheel_transverse_curvature_1pm", "must be less hollow than the rail's crown is round");
+  reader.finish();
+  return p;
+}
+
+PlanarContact::PlanarContact(const Parameters& parameters, const CreepLawParameters& creep)
+    : parameters_(parameters),
+      hertz_({1.0 / parameters.wheel_radius_m,
+              1.0 / parameters.rail_crown_radius_m + parameters.wheel_transverse_curvature_1pm},
+             parameters.elasticity),
+      kalker_(computeKalkerCoefficients(hertz_.aOverB(), parameters.elasticity.poisson)),
+      creep_(withoutGrid(creep)) {}
+
+double PlanarContact::computeNormalForce(double approach_m, double approach_rate_mps) const {
+  if (approach_m <= 0.0) return 0.0;
+  return std::max(
+      0.0, hertz_.computeNormalForce(approach_m) + parameters_.normal_damping_N_s_per_m * approach_rate_mps);  // (P1)
+}
+
+double PlanarContact::computeStoredEnergy(double approach_m) const {
+  return approach_m <= 0.0 ? 0.0 : 0.4 * hertz_.computeNormalForce(approach_m) * approach_m;  // integral of K d^1.5
+}
+
+double PlanarContact::forceOf(const ContactPatch& patch, double slip_mps, double v_mps, double& friction) const {
+  const CreepForce force = creep_.computeForce(patch, computeCreepage({-slip_mps, 0.0, 0.0}, v_mps));
+  friction = force.friction;
+  return 2.0 * force.x_N;
+}
+
+PlanarContact::AxleForce PlanarContact::computeAxleForce(double normal_N, double slip_mps, double v_mps) const {
+  AxleForce result;
+  if (normal_N <= 0.0) return result;
+  const HertzContact::Ellipse ellipse = hertz_.computeEllipse(normal_N);
+  const ContactPatch patch{ellipse.a_m, ellipse.b_m, normal_N, parameters_.shear_modulus_Pa, kalker_};
+  constexpr double kSlipStep_mps = 1e-5;  // chosen: far below the slip at which the law bends
+  double friction_there = 0.0;
+  result.force_N = forceOf(patch, slip_mps, v_mps, result.friction);
+  result.slope_N_s_per_m =
+      (forceOf(patch, slip_mps + kSlipStep_mps, v_mps, friction_there) - result.force_N) / kSlipStep_mps;
+  return result;
+}
+
+}  // namespace loco

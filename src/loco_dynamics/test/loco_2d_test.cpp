@@ -1,0 +1,197 @@
+#include "loco_dynamics/loco_2d.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "loco_dynamics/contact/contact_config.hpp"
+
+namespace {
+
+using loco::BodyLayout;
+using loco::Loco2d;
+
+constexpr double kWeight_N = 134000.0 * 9.81;
+constexpr rail::Nanoseconds kMacro = 2000000, kMicro = 1000000;
+
+template <typename Read>
+auto readFile(const std::string& file, Read read) {
+  rail::Problems problems;
+  const rail::Document document = rail::Document::load(std::string(CONFIG_DIR) + file, {}, problems);
+  const auto result = read(rail::YamlReader(document, problems));
+  problems.throwIfAny();
+  return result;
+}
+
+/// The paper's locomotive on the paper's rail. @param control  file in config/control
+Loco2d::Parameters paperParameters(const std::string& control = "pi_per_axle") {
+  Loco2d::Parameters p;
+  p.structure = readFile("/bodies/co_co_134t.yaml", loco::LocoStructure::read);
+  p.contact = {0.3, -2.25, 0.5335, 100e3, {210e9, 0.28}, 82e9};
+  p.creep = readFile("/adhesion/paper_table1.yaml", loco::readCreepLaw);
+  p.control = readFile("/control/" + control + ".yaml",
+                       [](rail::YamlReader reader) { return adhesion::readController(reader, kMicro); });
+  p.adhesion_limit = 0.35;
+  p.micro_step = kMicro;
+  return p;
+}
+
+/// A locomotive and the train that it feels as a force at its rear coupler, stepped together as LTD does it.
+struct Ride {
+  explicit Ride(const Loco2d::Parameters& parameters, double v_mps)
+      : locomotive(parameters), state(locomotive.equilibriumState(3000.0, v_mps)) {
+    force.step_length = kMacro;
+    force.speed_mps = v_mps;
+    force.rim_power_limit_W = 4.1e6;
+  }
+  void step() {
+    locomotive.step(state, force, answer);
+    ASSERT_TRUE(answer.failure.empty()) << answer.failure;
+    state = answer.state;
+    ltd_speed += 0.002 *
+                 (answer.traction_N + force.coupler_front_N + force.coupler_rear_N + force.grade_N +
+                  force.propulsion_resistance_N + force.curving_resistance_N) /
+                 134000.0;
+    force.speed_mps = ltd_speed;
+    ++force.step;
+  }
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds / 0.002); ++i) step();
+  }
+  Loco2d locomotive;
+  std::vector<double> state;
+  loco::LocoForce force;
+  loco::LocoTraction answer;
+  double ltd_speed = 0.0;
+};
+
+Ride makeRide(double v_mps, const std::string& control = "pi_per_axle") {
+  Ride ride(paperParameters(control), v_mps);
+  ride.ltd_speed = v_mps;
+  return ride;
+}
+
+double sumOfLoads(const Loco2d& locomotive) {
+  double sum = 0.0;
+  for (const Loco2d::Axle& axle : locomotive.axles()) sum += axle.normal_N;
+  return sum;
+}
+
+TEST(Loco2dTest, AtRestOnLevelTrackItStaysAtRest) {
+  Ride ride = makeRide(0.0);
+  ride.run(1.0);
+  EXPECT_NEAR(ride.answer.speed_mps, 0.0, 1e-9);  // round-off of springs under 1.3 MN
+  EXPECT_NEAR(ride.answer.traction_N, 0.0, 1e-3);
+  for (const Loco2d::Axle& axle : ride.locomotive.axles()) EXPECT_NEAR(axle.normal_N, kWeight_N / 6.0, 1e-3);
+}
+
+TEST(Loco2dTest, RollingFreelyItKeepsItsMomentumAndItsEnergy) {
+  Ride ride = makeRide(10.0);
+  ride.run(5.0);
+  EXPECT_NEAR(ride.answer.speed_mps, 10.0, 1e-9);
+  EXPECT_NEAR(ride.answer.work_slip_J, 0.0, 1e-9);
+}
+
+TEST(Loco2dTest, ItsCentreOfGravityKeepsTheSpeedOfLtdToRoundOff) {
+  Ride ride = makeRide(4.4);
+  ride.force.traction_reference_N = 490e3;
+  ride.force.coupler_rear_N = -380e3;
+  ride.force.grade_N = -2e3;
+  ride.force.propulsion_resistance_N = -1e3;
+  for (int i = 0; i < 2500; ++i) {
+    ride.step();
+    ASSERT_NEAR(ride.answer.speed_mps, ride.ltd_speed, 1e-10) << i;
+  }
+}
+
+TEST(Loco2dTest, UnderTractionLoadMovesToTheRearByTheMomentOfTheCoupler) {
+  Ride ride = makeRide(4.4);
+  ride.force.traction_reference_N = 200e3;
+  for (int i = 0; i < 15000; ++i) {  // the coupler takes up what the wheels gave in the step before: steady speed
+    ride.step();
+    ride.force.coupler_rear_N = -ride.answer.traction_N;
+  }
+  double moment = 0.0;
+  const loco::LocoStructure s = paperParameters().structure;
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle)
+    moment += ride.locomotive.axles()[axle].normal_N * s.bodies[BodyLayout::wheelset(axle)].p_T.x();
+  EXPECT_NEAR(ride.answer.traction_N, 200e3, 1.0);
+  EXPECT_NEAR(moment, -0.885 * 200e3, 10.0);  // sum N x = -F h; what is left moves below 1 mm/s^2
+  EXPECT_NEAR(sumOfLoads(ride.locomotive), kWeight_N, 1.0);
+}
+
+TEST(Loco2dTest, ItsOwnEnergyAccountClosesUnderControl) {
+  Ride ride = makeRide(4.4);
+  ride.force.traction_reference_N = 490e3;
+  ride.force.coupler_rear_N = -350e3;
+  double motors = 0.0, residual = 0.0;
+  for (int i = 0; i < 5000; ++i) {
+    ride.step();
+    motors += ride.locomotive.account().motors;
+    residual += ride.locomotive.account().residual();
+  }
+  EXPECT_GT(motors, 1e7);
+  EXPECT_LT(std::abs(residual), 1e-6 * motors);
+}
+
+TEST(Loco2dTest, UnderControlItSlipsAtSevenPerCentAndNothingOscillates) {
+  Ride ride = makeRide(4.42);
+  ride.force.traction_reference_N = 490e3;
+  double sum = 0.0, square = 0.0;
+  const int n = 2000;
+  for (int i = 0; i < 10000 + n; ++i) {
+    ride.step();
+    ride.force.coupler_rear_N = -ride.answer.traction_N;  // steady speed
+    if (i < 10000) continue;
+    sum += ride.answer.traction_N;
+    square += ride.answer.traction_N * ride.answer.traction_N;
+  }
+  const double mean = sum / n;
+  EXPECT_NEAR(mean, 399.7e3, 1e3);                                      // an independent prototype's force at 4.42 m/s
+  EXPECT_LT(std::sqrt(std::max(square / n - mean * mean, 0.0)), 10.0);  // no limit cycle: 1e-5 of the force
+  for (const Loco2d::Axle& axle : ride.locomotive.axles()) {
+    EXPECT_NEAR(axle.creep, 0.07, 1e-4);
+    EXPECT_LT(axle.force_N / axle.normal_N, axle.friction);  // adhesion used stays below what the rail offers
+  }
+}
+
+TEST(Loco2dTest, WithoutControlTheWheelsRaceAndOnlyKineticFrictionIsLeft) {
+  Ride ride = makeRide(2.0, "none");
+  ride.force.traction_reference_N = 560e3;
+  ride.force.coupler_rear_N = -184.04e3;
+  ride.run(30.0);
+  EXPECT_GT(ride.locomotive.axles()[0].slip_mps, 32.0);
+  EXPECT_NEAR(ride.answer.traction_N, 0.4 * 0.35 * kWeight_N,
+              30.0);  // A mu0 m g = 184.04 kN; e^(-B w) still gives 1e-4
+}
+
+TEST(Loco2dTest, IsAPureFunctionOfStateAndForce) {
+  Ride ride = makeRide(4.4);
+  ride.force.traction_reference_N = 490e3;
+  ride.force.coupler_rear_N = -350e3;
+  ride.run(2.0);
+  Loco2d fresh(paperParameters());
+  loco::LocoTraction again;
+  const std::vector<double> before = ride.state;
+  const loco::LocoForce force = ride.force;
+  ride.step();
+  fresh.step(before, force, again);
+  EXPECT_TRUE(loco::samePayload(ride.answer, again));
+}
+
+TEST(Loco2dTest, HalvingTheMicroStepLeavesTheForceAlone) {
+  double force_N[2];
+  for (int k = 0; k < 2; ++k) {
+    Loco2d::Parameters p = paperParameters();
+    p.micro_step = k == 0 ? kMicro : kMicro / 2;
+    Ride ride(p, 4.42);
+    ride.ltd_speed = 4.42;
+    ride.force.traction_reference_N = 490e3;
+    ride.force.coupler_rear_N = -400e3;
+    ride.run(8.0);
+    force_N[k] = ride.answer.traction_N;
+  }
+  EXPECT_NEAR(force_N[0], force_N[1], 100.0);  // 0.1 kN
+}
+
+}  // namespace
