@@ -128,7 +128,10 @@ TEST(CreepForceTest, ClosedRefusesSpin) {
 
 TEST(CreepForceTest, PolachTakesItsFactorsFromColumnsOrOptions) {
   const std::string dry = "6,4,100000,10,0.55,0.4,0.6,1,1,0,0.001,0,0";
-  EXPECT_EQ(run({"--method", "polach"}, kHeader + "\n" + dry + "\n").status, 2);  // neither
+  const Answer neither = run({"--method", "polach"}, kHeader + "\n" + dry + "\n");
+  const Answer ones = run({"--method", "polach", "--k-a", "1", "--k-s", "1"}, kHeader + "\n" + dry + "\n");
+  EXPECT_EQ(neither.status, 0);
+  EXPECT_EQ(neither.output, ones.output);
   const Answer columns = run({"--method", "polach"}, kHeader + ",kA,kS\n" + dry + ",1.0,0.4\n");
   const Answer options = run({"--method", "polach", "--k-a", "1.0", "--k-s", "0.4"}, kHeader + "\n" + dry + "\n");
   EXPECT_NEAR(forcesAt(columns.output, 2).first, -6425.0, 0.5);

@@ -17,7 +17,7 @@ Fx_N,Fy_N appended on standard output. The first line names the columns, in any 
   k0,alpha_inf,beta   variable reduction factor; must be there for modfastsim and closed, other methods do not use them
   creep_x,creep_y,spin_rad_per_m
   G_GPa,nu            optional, 82 and 0.28 without
-  kA,kS               reduction factors of Polach's formula; polach wants these columns, or --k-a and --k-s
+  kA,kS               optional, reduction factors of Polach's formula: without them --k-a and --k-s, or 1 (no reduction)
 Lines that begin with # and empty ones are left out. Signs are CONTACT's: creepage is the velocity of body 1 relative to
 body 2 over V, force is that on body 1, so Fx < 0 for creep_x > 0; rigid slip is creep_x - spin y, creep_y + spin x.
 

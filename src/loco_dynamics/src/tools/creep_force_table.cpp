@@ -30,7 +30,6 @@ struct Column {
 std::vector<Column> columnsFor(const CreepForceArguments& arguments) {
   const bool reduced = arguments.method == CreepMethod::kModfastsim || arguments.method == CreepMethod::kClosed;
   const auto unless = [](bool needed, double value) { return needed ? std::nullopt : std::optional<double>(value); };
-  const bool factors_wanted = arguments.method == CreepMethod::kPolach && !arguments.k_A;
   // creepage beyond a million is a slip of the pen, and would overflow in the end
   const rail::Range creepage = rail::between(-1e6, 1e6);
   return {{"a_mm", rail::aboveUpTo(0.0, 1e3), {}},
@@ -48,8 +47,8 @@ std::vector<Column> columnsFor(const CreepForceArguments& arguments) {
           {"beta", rail::notNegative(), unless(reduced, 0.0)},
           {"G_GPa", rail::aboveUpTo(0.0, 1e4), 82.0},
           {"nu", rail::between(0.0, 0.5), 0.28},
-          {"kA", rail::aboveUpTo(0.0, 1.0), unless(factors_wanted, arguments.k_A.value_or(1.0))},
-          {"kS", rail::aboveUpTo(0.0, 1.0), unless(factors_wanted, arguments.k_S.value_or(1.0))}};
+          {"kA", rail::aboveUpTo(0.0, 1.0), arguments.k_A.value_or(1.0)},
+          {"kS", rail::aboveUpTo(0.0, 1.0), arguments.k_S.value_or(1.0)}};
 }
 
 std::vector<std::string> splitLines(const std::string& text) {
