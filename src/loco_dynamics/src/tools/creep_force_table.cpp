@@ -1,0 +1,191 @@
+#include "creep_force_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <istream>
+#include <iterator>
+#include <ostream>
+
+#include "loco_dynamics/contact/contact_signs.hpp"
+#include "rail_core/csv_table.hpp"
+#include "rail_core/problems.hpp"
+#include "rail_core/yaml_reader.hpp"
+
+namespace loco {
+
+namespace {
+
+constexpr char kInput[] = "standard input";
+constexpr double kPascalsPerGigapascal = 1e9;
+constexpr double kMetresPerMillimetre = 1e-3;
+
+/// A column, what it must keep, and its value where the file has no such column.
+struct Column {
+  std::string name;
+  rail::Range range;
+  std::optional<double> fallback;  ///< nothing: the column must be there
+};
+
+std::vector<Column> columnsFor(const CreepForceArguments& arguments) {
+  const bool reduced = arguments.method == CreepMethod::kModfastsim || arguments.method == CreepMethod::kClosed;
+  const auto unless = [](bool needed, double value) { return needed ? std::nullopt : std::optional<double>(value); };
+  // creepage beyond a million is a slip of the pen, and would overflow in the end
+  const rail::Range creepage = rail::between(-1e6, 1e6);
+  return {{"a_mm", rail::aboveUpTo(0.0, 1e3), {}},
+          {"b_mm", rail::aboveUpTo(0.0, 1e3), {}},
+          {"N_N", rail::between(0.0, 1e9), {}},
+          {"V_mps", rail::between(0.0, 1e3), {}},
+          {"mu0", rail::aboveUpTo(0.0, 1.0), {}},
+          {"A", rail::aboveUpTo(0.0, 1.0), {}},
+          {"B_s_per_m", rail::notNegative(), {}},
+          {"creep_x", creepage, {}},
+          {"creep_y", creepage, {}},
+          {"spin_rad_per_m", creepage, {}},
+          {"k0", rail::aboveUpTo(0.0, 1.0), unless(reduced, 1.0)},
+          {"alpha_inf", rail::between(0.0, 1.0), unless(reduced, 1.0)},
+          {"beta", rail::notNegative(), unless(reduced, 0.0)},
+          {"G_GPa", rail::aboveUpTo(0.0, 1e4), 82.0},
+          {"nu", rail::between(0.0, 0.5), 0.28},
+          {"kA", rail::aboveUpTo(0.0, 1.0), arguments.k_A.value_or(1.0)},
+          {"kS", rail::aboveUpTo(0.0, 1.0), arguments.k_S.value_or(1.0)}};
+}
+
+std::vector<std::string> splitLines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    if (!lines.back().empty() && lines.back().back() == '\r') lines.back().pop_back();
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// Index of the line that names the columns; -1 if there is none.
+int findHeader(const std::vector<std::string>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::size_t first = lines[i].find_first_not_of(" \t");
+    if (first != std::string::npos && lines[i][first] != '#') return static_cast<int>(i);
+  }
+  return -1;
+}
+
+/// Columns to ask for: those that must be there, and those that may and are.
+std::vector<std::string> columnsToRead(const std::vector<Column>& columns, const std::string& header) {
+  const auto named = [&header](const std::string& name) {
+    for (std::size_t at = header.find(name); at != std::string::npos; at = header.find(name, at + 1)) {
+      const std::size_t end = at + name.size();
+      const auto parts = [&header](std::size_t i) { return header[i] == ',' || header[i] == ' ' || header[i] == '"'; };
+      if ((at == 0 || parts(at - 1)) && (end == header.size() || parts(end))) return true;
+    }
+    return false;
+  };
+  std::vector<std::string> names;
+  for (const Column& column : columns) {
+    if (!column.fallback || named(column.name)) names.push_back(column.name);
+  }
+  return names;
+}
+
+bool keeps(double value, const rail::Range& range) {
+  return (range.low_included ? value >= range.low : value > range.low) &&
+         (range.high_included ? value <= range.high : value < range.high);
+}
+
+std::string shown(double value) {
+  std::array<char, 32> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 10);
+  return {text.data(), end};
+}
+
+std::string ruleOf(const rail::Range& range) {
+  const std::string low = (range.low_included ? ">= " : "> ") + shown(range.low);
+  return "must be " + low + (range.high < 1e300 ? " and <= " + shown(range.high) : "");
+}
+
+/// One case: the values of all columns, in their order.
+struct Case {
+  double a_mm, b_mm, N_N, V_mps, mu0, A, B, creep_x, creep_y, spin, k0, alpha_inf, beta, G_GPa, nu, k_A, k_S;
+};
+
+Case caseOf(const std::vector<double>& v) {
+  return {v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10], v[11], v[12], v[13], v[14], v[15], v[16]};
+}
+
+ContactForce computeCase(const CreepForceArguments& arguments, const Case& c) {
+  CreepLawParameters parameters;
+  parameters.method = arguments.method;
+  parameters.flexibility = arguments.flexibility;
+  parameters.cells = arguments.cells;
+  parameters.strips = arguments.strips;
+  parameters.friction = {c.mu0, c.A, c.B};
+  parameters.reduction = {c.k0, c.alpha_inf, c.beta};
+  parameters.polach = {c.k_A, c.k_S};
+  const ContactPatch patch = makeContactPatch(c.a_mm * kMetresPerMillimetre, c.b_mm * kMetresPerMillimetre, c.N_N,
+                                              c.G_GPa * kPascalsPerGigapascal, c.nu);
+  const Creepage creepage = fromContactSigns({c.creep_x, c.creep_y, c.spin}, c.V_mps);
+  return toContactSigns(CreepLaw(parameters).computeForce(patch, creepage));
+}
+
+/// Values of one row in the order of `columns`; problems of ranges and relations are added.
+std::vector<double> checkedValues(const CreepForceArguments& arguments, const std::vector<Column>& columns,
+                                  const rail::CsvTable& table, std::size_t row, rail::Problems& problems) {
+  const std::string line = "line " + std::to_string(table.line_of_row[row]);
+  std::vector<double> values;
+  for (const Column& column : columns) {
+    const int index = table.column(column.name);
+    values.push_back(index < 0 ? *column.fallback : table.rows[row][static_cast<std::size_t>(index)]);
+    if (!keeps(values.back(), column.range)) {
+      problems.add(kInput, line + ": " + column.name, shown(values.back()), ruleOf(column.range));
+    }
+  }
+  const Case c = caseOf(values);
+  if (arguments.method == CreepMethod::kClosed && c.spin != 0.0) {
+    problems.add(kInput, line + ": spin_rad_per_m", shown(c.spin), "must be 0 for --method closed");
+  }
+  if (c.k_S > c.k_A) problems.add(kInput, line + ": kS", shown(c.k_S), "must not be larger than kA");
+  return values;
+}
+
+}  // namespace
+
+int runCreepForce(const CreepForceArguments& arguments, const std::string& text, std::ostream& output,
+                  std::ostream& errors) {
+  const std::vector<Column> columns = columnsFor(arguments);
+  const std::vector<std::string> lines = splitLines(text);
+  const int header = findHeader(lines);
+  rail::Problems problems;
+  const rail::CsvTable table = rail::readCsv(
+      text, kInput, columnsToRead(columns, header < 0 ? "" : lines[static_cast<std::size_t>(header)]), problems);
+  if (!table.rows.empty()) output << lines[static_cast<std::size_t>(header)] << ",Fx_N,Fy_N\n";
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const std::size_t before = problems.lines().size();
+    const std::vector<double> values = checkedValues(arguments, columns, table, row, problems);
+    if (problems.lines().size() > before) continue;
+    const ContactForce force = computeCase(arguments, caseOf(values));
+    output << lines[static_cast<std::size_t>(table.line_of_row[row] - 1)] << ',' << shown(force.x_N + 0.0) << ','
+           << shown(force.y_N + 0.0) << '\n';  // + 0.0: never -0
+  }
+  for (const std::string& line : problems.lines()) errors << line << '\n';
+  return problems.empty() ? 0 : 2;
+}
+
+int creepForceProgram(const std::vector<std::string>& arguments, std::istream& input, std::ostream& output,
+                      std::ostream& errors) {
+  CreepForceArguments parsed;
+  const std::string wrong = parsed.parse(arguments);
+  if (!wrong.empty()) {
+    errors << "creep_force: " << wrong << "\ncreep_force --help tells more\n";
+    return 2;
+  }
+  if (parsed.help) {
+    output << kCreepForceHelp;
+    return 0;
+  }
+  const std::string text{std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>()};
+  return runCreepForce(parsed, text, output, errors);
+}
+
+}  // namespace loco
