@@ -155,6 +155,36 @@ TEST(Loco2dTest, UnderControlItSlipsAtSevenPerCentAndNothingOscillates) {
   }
 }
 
+TEST(Loco2dTest, ContactEnergyIsTheIntegralOfTheNormalForce) {
+  const loco::PlanarContact contact(paperParameters().contact, paperParameters().creep);
+  for (const double approach_m : {2e-5, 9e-5, 2e-4}) {
+    const double d = 1e-8;  // central difference: relative error (d/approach)^2, 2.5e-7 at worst
+    const double slope =
+        (contact.computeStoredEnergy(approach_m + d) - contact.computeStoredEnergy(approach_m - d)) / (2.0 * d);
+    EXPECT_NEAR(slope, contact.computeNormalForce(approach_m, 0.0), 1e-5 * slope);
+  }
+  EXPECT_EQ(contact.computeStoredEnergy(-1e-4), 0.0);
+}
+
+TEST(Loco2dTest, AtSteadySpeedTheRimsPayTheRailsWorkAndTheSlip) {
+  Ride ride = makeRide(4.42);
+  ride.force.traction_reference_N = 490e3;
+  for (int i = 0; i < 10000; ++i) {
+    ride.step();
+    ride.force.coupler_rear_N = -ride.answer.traction_N;
+  }
+  const double H = 0.002, v = ride.answer.speed_mps;
+  double slip_J = 0.0, rim_J = 0.0;
+  for (const Loco2d::Axle& axle : ride.locomotive.axles()) {
+    slip_J += axle.force_N * axle.slip_mps * H;
+    rim_J += axle.torque_N_m * (v + axle.slip_mps) / 0.5335 * H;
+  }
+  // settled to 1e-5 of the force: the last micro step stands for all
+  EXPECT_NEAR(ride.answer.work_slip_J, slip_J, 1e-4 * slip_J);
+  EXPECT_NEAR(ride.answer.work_rim_J, rim_J, 1e-4 * rim_J);
+  EXPECT_NEAR(ride.answer.work_rim_J, ride.answer.traction_N * v * H + ride.answer.work_slip_J, 1e-4 * rim_J);
+}
+
 TEST(Loco2dTest, WithoutControlTheWheelsRaceAndOnlyKineticFrictionIsLeft) {
   Ride ride = makeRide(2.0, "none");
   ride.force.traction_reference_N = 560e3;
