@@ -48,6 +48,7 @@ std::uint64_t payloadDigest(const LocoTraction& traction) {
   digest.add(traction.step);
   for (const double x : numbersOf(traction)) digest.add(x);
   digest.add(traction.state);
+  addTo(digest, traction.adhesion);
   return digest.value();
 }
 
@@ -59,6 +60,6 @@ bool samePayload(const LocoTraction& a, const LocoTraction& b) {
 
 bool allFinite(const LocoForce& force) { return finite(numbersOf(force)); }
 
-bool allFinite(const LocoTraction& traction) { return finite(numbersOf(traction)) && finite(traction.state); }
+bool allFinite(const LocoTraction& traction) { return finite(numbersOf(traction)) && finite(traction.state) && allFinite(traction.adhesion); }
 
 }  // namespace loco

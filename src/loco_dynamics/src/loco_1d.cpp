@@ -40,6 +40,8 @@ void Loco1d::step(const std::vector<double>& state, const LocoForce& force, Loco
   answer.state.resize(stateSize());
   answer.state[0] = s_end;
   answer.state[1] = v_end;
+  answer.adhesion.axles.clear();  // no wheels
+  answer.adhesion.contacts.clear();
   answer.failure.clear();
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "loco_dynamics/contact/creepage.hpp"
 #include "rail_core/constants.hpp"
 
 namespace loco {
@@ -14,15 +15,6 @@ using Eigen::Vector3d;
 
 const std::vector<Dof> kPlanarDofs = {kX, kZ, kPitch};
 
-adhesion::Setup controllerSetup(const Loco2d::Parameters& parameters) {
-  adhesion::Setup setup;
-  setup.micro_step = parameters.micro_step;
-  setup.wheel_radius_m = parameters.structure.wheel_radius_m;
-  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle)
-    setup.bogie_of_axle.push_back(axle / BodyLayout::kAxlesPerBogie);
-  return setup;
-}
-
 void setZero(BodyVector& x) {
   for (auto& body : x) body.setZero();
 }
@@ -32,14 +24,10 @@ void setZero(BodyVector& x) {
 Loco2d::Loco2d(const Parameters& parameters)
     : parameters_(parameters),
       dynamics_(BodyLayout(parameters.structure.bodies, kPlanarDofs), parameters.structure.suspension),
-      contact_(parameters.contact, parameters.creep),
-      controller_(adhesion::makeController(parameters.control, controllerSetup(parameters))),
-      torque_limit_{parameters.structure.wheel_radius_m, parameters.structure.totalMass(),
-                    static_cast<int>(BodyLayout::kAxles), parameters.adhesion_limit},
-      measurements_(BodyLayout::kAxles),
-      commands_(BodyLayout::kAxles) {}
+      contact_(parameters.contact, parameters.rail),
+      drive_(parameters.structure, parameters.control, parameters.adhesion_limit, parameters.micro_step) {}
 
-std::size_t Loco2d::stateSize() const { return dynamics_.stateSize() + controller_->stateSize(); }
+std::size_t Loco2d::stateSize() const { return dynamics_.stateSize() + drive_.stateSize(); }
 
 std::vector<double> Loco2d::equilibriumState(double location_m, double speed_mps) const {
   BodyState state;
@@ -90,7 +78,7 @@ std::vector<double> Loco2d::equilibriumState(double location_m, double speed_mps
   }
   std::vector<double> flat(dynamics_.stateSize());
   dynamics_.pack(state, flat.data());
-  const std::vector<double> control = controller_->initialState();
+  const std::vector<double> control = drive_.initialState();
   flat.insert(flat.end(), control.begin(), control.end());
   return flat;
 }
@@ -113,7 +101,7 @@ void Loco2d::step(const std::vector<double>& state, const LocoForce& force, Loco
     setZero(loads);
     dynamics_.addInnerForces(state_, h, loads);
     addOuterForces(force, loads);
-    addTorques(force, force.speed_mps, control_state, loads);
+    drive_.addTorques(force, state_.v, control_state, loads);
     addContactForces(h, loads);
     const BodyVector v_old = state_.v;
     answer.failure = dynamics_.step(loads, h, state_);
@@ -123,6 +111,7 @@ void Loco2d::step(const std::vector<double>& state, const LocoForce& force, Loco
   answer.traction_N /= micro_steps;
   account_.kinetic += dynamics_.computeKineticEnergy(state_.v);
   account_.stored += storedEnergy();
+  report(answer.adhesion);
   dynamics_.pack(state_, answer.state.data());
   answer.speed_mps = dynamics_.centreOfGravity(state_.v);
   answer.location_m = dynamics_.centreOfGravity(state_.q);
@@ -139,50 +128,46 @@ void Loco2d::addOuterForces(const LocoForce& force, BodyVector& loads) const {
     loads[i][kX] += force.grade_N * (s.bodies[i].mass_kg / dynamics_.layout().totalMass());
 }
 
-void Loco2d::addTorques(const LocoForce& force, double v_train_mps, double* control_state, BodyVector& loads) {
-  const double reference_N_m = adhesion::computeTorqueReference(torque_limit_, force.traction_reference_N);
-  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
-    const double omega = state_.v[BodyLayout::wheelset(axle)][kPitch];
-    measurements_[axle].omega_radps = omega;
-    measurements_[axle].torque_reference_N_m =
-        parameters_.control.rim_power_limit
-            ? adhesion::limitRimPower(torque_limit_, reference_N_m, omega, force.rim_power_limit_W)
-            : reference_N_m;
-  }
-  controller_->step(v_train_mps, measurements_, control_state, commands_);
-  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
-    const double T = commands_[axle].torque_N_m;
-    loads[BodyLayout::wheelset(axle)][kPitch] += T;
-    loads[BodyLayout::bogieOfAxle(axle)][kPitch] -= T;
-    axles_[axle].torque_N_m = T;
-    axles_[axle].reference_N_m = measurements_[axle].torque_reference_N_m;
-    axles_[axle].controlled = commands_[axle].active;
-  }
-}
-
 void Loco2d::addContactForces(double h, BodyVector& loads) {
   const double r = parameters_.structure.wheel_radius_m;
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     const std::size_t i = BodyLayout::wheelset(axle);
+    Axle& a = axles_[axle];
     const double approach = -state_.q[i][kZ];
-    const double N = contact_.computeNormalForce(approach, -state_.v[i][kZ]);
-    damping_normal_N_[axle] = N - contact_.computeNormalForce(approach, 0.0);
-    const double v = state_.v[i][kX];
-    const double w = state_.v[i][kPitch] * r - v;
-    const PlanarContact::AxleForce creep = contact_.computeAxleForce(N, w, v);
+    a.normal_N = contact_.computeNormalForce(approach, -state_.v[i][kZ]);
+    a.damping_normal_N = a.normal_N - contact_.computeNormalForce(approach, 0.0);
+    a.v_mps = state_.v[i][kX];
+    a.slip_mps = state_.v[i][kPitch] * r - a.v_mps;
+    const double location_m = state_.q[i][kX] + parameters_.structure.bodies[i].p_T.x();
+    a.contact = contact_.computeAxleForce(a.normal_N, a.slip_mps, a.v_mps, location_m);
     // Linearly implicit in w where the force rises with it: creep is stiff at low speed and with clean rail.     (P2)
     const double m = dynamics_.layout().inertia(i, kX), J = dynamics_.layout().inertia(i, kPitch);
-    const double slope = std::max(creep.slope_N_s_per_m, 0.0);
+    const double slope = std::max(a.contact.slope_N_s_per_m, 0.0);
     const double free_rate = r * loads[i][kPitch] / J - loads[i][kX] / m;  // dw/dt without the contact
-    const double F = (creep.force_N + slope * h * free_rate) / (1.0 + slope * h * (r * r / J + 1.0 / m));
-    loads[i][kZ] += 2.0 * N;
-    loads[i][kX] += F;
-    loads[i][kPitch] -= F * r;
-    axles_[axle].normal_N = 2.0 * N;
-    axles_[axle].force_N = F;
-    axles_[axle].slip_mps = w;
-    axles_[axle].creep = w / std::max(v, 0.5);
-    axles_[axle].friction = creep.friction;
+    a.force_N = (a.contact.force_N + slope * h * free_rate) / (1.0 + slope * h * (r * r / J + 1.0 / m));
+    loads[i][kZ] += 2.0 * a.normal_N;
+    loads[i][kX] += a.force_N;
+    loads[i][kPitch] -= a.force_N * r;
+  }
+}
+
+void Loco2d::report(AdhesionReport& out) const {
+  out.axles.resize(BodyLayout::kAxles);
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
+    const Axle& a = axles_[axle];
+    AxleAdhesion& to = out.axles[axle];
+    to.creep = a.slip_mps / std::max(a.v_mps, kCreepageSpeedFloor_mps);
+    to.normal_force_N = 2.0 * a.normal_N;
+    to.force_N = a.force_N;
+    to.adhesion = to.normal_force_N > 0.0 ? a.force_N / to.normal_force_N : 0.0;
+    to.friction = a.contact.friction;
+    to.static_friction = a.contact.static_friction;
+    to.torque_reference_N_m = drive_.torqueReference_N_m(axle);
+    to.torque_N_m = drive_.torque_N_m(axle);
+    to.controlled = drive_.controlled(axle);
+    to.frictional_power_W = a.force_N * a.slip_mps;
+    to.t_gamma_N = std::abs(a.force_N * to.creep);
+    to.vertical_force_N[0] = to.vertical_force_N[1] = a.normal_N;
   }
 }
 
@@ -195,28 +180,26 @@ double Loco2d::storedEnergy() const {
 
 void Loco2d::book(const LocoForce& force, const BodyVector& v_old, double h, LocoTraction& answer) {
   const double r = parameters_.structure.wheel_radius_m;
-  const auto mean = [&](std::size_t body, Dof dof) {
-    const auto k = static_cast<Eigen::Index>(dof);
-    return 0.5 * (v_old[body][k] + state_.v[body][k]);
-  };
+  BodyVector v_mean;
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) v_mean[i] = 0.5 * (v_old[i] + state_.v[i]);
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
-    const std::size_t i = BodyLayout::wheelset(axle);
-    const double omega = mean(i, kPitch);
-    const double slip_work = axles_[axle].force_N * (omega * r - mean(i, kX)) * h;
+    const auto& v = v_mean[BodyLayout::wheelset(axle)];
+    const double slip_work = axles_[axle].force_N * (v[kPitch] * r - v[kX]) * h;
     answer.traction_N += axles_[axle].force_N;
-    answer.work_rim_J += axles_[axle].torque_N_m * omega * h;
     answer.work_slip_J += slip_work;
     account_.slip += slip_work;
-    account_.motors += axles_[axle].torque_N_m * (omega - mean(BodyLayout::bogieOfAxle(axle), kPitch)) * h;
-    account_.contact_damping -= 2.0 * damping_normal_N_[axle] * mean(i, kZ) * h;
+    account_.contact_damping -= 2.0 * axles_[axle].damping_normal_N * v[kZ] * h;
   }
+  const TractionDrive::Work work = drive_.computeWork(v_mean, h);
+  answer.work_rim_J += work.rims;
+  account_.motors += work.motors;
   const LocoStructure& s = parameters_.structure;
   const double z = s.coupler_z_m - s.bodies[BodyLayout::kCar].p_T.z();
-  const double coupler_speed = mean(BodyLayout::kCar, kX) + mean(BodyLayout::kCar, kPitch) * z;
+  const double coupler_speed = v_mean[BodyLayout::kCar][kX] + v_mean[BodyLayout::kCar][kPitch] * z;
   account_.outer += (force.coupler_front_N + force.coupler_rear_N) * coupler_speed * h;
-  account_.outer += (force.propulsion_resistance_N + force.curving_resistance_N) * mean(BodyLayout::kCar, kX) * h;
+  account_.outer += (force.propulsion_resistance_N + force.curving_resistance_N) * v_mean[BodyLayout::kCar][kX] * h;
   for (std::size_t i = 0; i < BodyLayout::kBodies; ++i)
-    account_.outer += force.grade_N * (s.bodies[i].mass_kg / dynamics_.layout().totalMass()) * mean(i, kX) * h;
+    account_.outer += force.grade_N * (s.bodies[i].mass_kg / dynamics_.layout().totalMass()) * v_mean[i][kX] * h;
   account_.dampers += dynamics_.computeDampingWork(v_old, state_.v, h);
 }
 

@@ -48,18 +48,24 @@ double readAdhesionLimit(rail::YamlReader& reader) {
   return reader.number("adhesion_limit", rail::aboveUpTo(0.0, 1.0));
 }
 
-ModelOptions readModelOptions(rail::YamlReader& root, const std::string& model, rail::Nanoseconds micro_step) {
+std::string readModel(rail::YamlReader& reader) { return reader.choice("locomotive_model", knownModels()); }
+
+std::string readModelOr(rail::YamlReader& group, const std::string& scenario_model) {
+  return group.has("locomotive_model") ? readModel(group) : scenario_model;
+}
+
+bool hasContacts(const std::string& model) { return model != "1d"; }
+
+ModelOptions readModelOptions(rail::YamlReader& root, rail::Nanoseconds micro_step) {
   ModelOptions options;
-  if (model == "1d") return options;
-  options.creep = readCreepLaw(root.map("adhesion"));
+  options.rail = readRailConditions(root);
   options.control = adhesion::readController(root.map("control"), micro_step);
   return options;
 }
 
 LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, double vehicle_mass_kg) {
   LocoDetails details;
-  const bool needed = model != "1d";
-  if (!needed && !reader.has("bodies") && !reader.has("contact")) return details;
+  if (!hasContacts(model) && !reader.has("bodies") && !reader.has("contact")) return details;
   const std::size_t problems_before = reader.problems().count();
   details.structure = LocoStructure::read(reader.map("bodies"));
   details.contact = PlanarContact::read(reader.map("contact"), details.structure.wheel_radius_m);
@@ -74,22 +80,24 @@ std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const
                                            rail::Problems& problems) {
   const std::size_t problems_before = problems.count();
   rail::YamlReader root(scenario, problems);
-  const std::string model = root.choice("locomotive_model", knownModels());
-  const bool rotary_inertia = root.boolean("rotary_inertia");
-  const rail::Nanoseconds micro_step =
-      model == "1d" ? 0
-                    : rail::wholeNanoseconds(root.map("steps").number("micro_step_s", rail::positive())).value_or(0);
-  const ModelOptions options = readModelOptions(root, model, micro_step);
-
+  const std::string scenario_model = readModel(root);
+  rail::YamlReader group = readerAt(scenario, key.substr(0, key.rfind('.')), problems);
+  const std::string model = readModelOr(group, scenario_model);
   rail::YamlReader reader = readerAt(scenario, key, problems);
   const rail::Vehicle vehicle = rail::readVehicle(reader);
   const double adhesion_limit = readAdhesionLimit(reader);
-  const LocoDetails details = readLocoDetails(reader, model, vehicle.mass_kg);
-  if (problems.count() != problems_before) return nullptr;
-  if (model == "1d")
+  if (!hasContacts(model)) {
+    const bool rotary_inertia = root.boolean("rotary_inertia");
+    if (problems.count() != problems_before) return nullptr;
     return std::make_unique<Loco1d>(
         Loco1d::Parameters{vehicle.mass_kg, vehicle.inertialMass(rotary_inertia), adhesion_limit});
-  return std::make_unique<Loco2d>(Loco2d::Parameters{details.structure, details.contact, options.creep, options.control,
+  }
+  const rail::Nanoseconds micro_step =
+      rail::wholeNanoseconds(root.map("steps").number("micro_step_s", rail::positive())).value_or(0);
+  const ModelOptions options = readModelOptions(root, micro_step);
+  const LocoDetails details = readLocoDetails(reader, model, vehicle.mass_kg);
+  if (problems.count() != problems_before) return nullptr;
+  return std::make_unique<Loco2d>(Loco2d::Parameters{details.structure, details.contact, options.rail, options.control,
                                                      adhesion_limit, micro_step});
 }
 

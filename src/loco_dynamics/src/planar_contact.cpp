@@ -15,6 +15,19 @@ CreepLawParameters withoutGrid(CreepLawParameters parameters) {
   return parameters;
 }
 
+RailConditions withoutGrid(RailConditions rail) {
+  rail.elsewhere = withoutGrid(rail.elsewhere);
+  for (RailConditions::Section& section : rail.sections) section.creep = withoutGrid(section.creep);
+  return rail;
+}
+
+/// Force of both wheels along the track at slip w.
+CreepForce forceOf(const CreepLaw& law, const ContactPatch& patch, double slip_mps, double v_mps) {
+  CreepForce force = law.computeForce(patch, computeCreepage({-slip_mps, 0.0, 0.0}, v_mps));
+  force.x_N *= 2.0;
+  return force;
+}
+
 }  // namespace
 
 PlanarContact::Parameters PlanarContact::read(rail::YamlReader reader, double wheel_radius_m) {
@@ -32,13 +45,13 @@ PlanarContact::Parameters PlanarContact::read(rail::YamlReader reader, double wh
   return p;
 }
 
-PlanarContact::PlanarContact(const Parameters& parameters, const CreepLawParameters& creep)
+PlanarContact::PlanarContact(const Parameters& parameters, const RailConditions& rail)
     : parameters_(parameters),
       hertz_({1.0 / parameters.wheel_radius_m,
               1.0 / parameters.rail_crown_radius_m + parameters.wheel_transverse_curvature_1pm},
              parameters.elasticity),
       kalker_(computeKalkerCoefficients(hertz_.aOverB(), parameters.elasticity.poisson)),
-      creep_(withoutGrid(creep)) {}
+      creep_(withoutGrid(rail)) {}
 
 double PlanarContact::computeNormalForce(double approach_m, double approach_rate_mps) const {
   if (approach_m <= 0.0) return 0.0;
@@ -50,22 +63,19 @@ double PlanarContact::computeStoredEnergy(double approach_m) const {
   return approach_m <= 0.0 ? 0.0 : 0.4 * hertz_.computeNormalForce(approach_m) * approach_m;  // integral of K d^1.5
 }
 
-double PlanarContact::forceOf(const ContactPatch& patch, double slip_mps, double v_mps, double& friction) const {
-  const CreepForce force = creep_.computeForce(patch, computeCreepage({-slip_mps, 0.0, 0.0}, v_mps));
-  friction = force.friction;
-  return 2.0 * force.x_N;
-}
-
-PlanarContact::AxleForce PlanarContact::computeAxleForce(double normal_N, double slip_mps, double v_mps) const {
+PlanarContact::AxleForce PlanarContact::computeAxleForce(double normal_N, double slip_mps, double v_mps,
+                                                         double location_m) const {
   AxleForce result;
+  const CreepLaw& law = creep_.at(location_m);
+  result.static_friction = law.parameters().friction.mu0;
   if (normal_N <= 0.0) return result;
   const HertzContact::Ellipse ellipse = hertz_.computeEllipse(normal_N);
   const ContactPatch patch{ellipse.a_m, ellipse.b_m, normal_N, parameters_.shear_modulus_Pa, kalker_};
   constexpr double kSlipStep_mps = 1e-5;  // chosen: far below the slip at which the law bends
-  double friction_there = 0.0;
-  result.force_N = forceOf(patch, slip_mps, v_mps, result.friction);
-  result.slope_N_s_per_m =
-      (forceOf(patch, slip_mps + kSlipStep_mps, v_mps, friction_there) - result.force_N) / kSlipStep_mps;
+  const CreepForce force = forceOf(law, patch, slip_mps, v_mps);
+  result.force_N = force.x_N;
+  result.friction = force.friction;
+  result.slope_N_s_per_m = (forceOf(law, patch, slip_mps + kSlipStep_mps, v_mps).x_N - force.x_N) / kSlipStep_mps;
   return result;
 }
 

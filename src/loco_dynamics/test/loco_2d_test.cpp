@@ -28,7 +28,7 @@ Loco2d::Parameters paperParameters(const std::string& control = "pi_per_axle") {
   Loco2d::Parameters p;
   p.structure = readFile("/bodies/co_co_134t.yaml", loco::LocoStructure::read);
   p.contact = {0.3, -2.25, 0.5335, 100e3, {210e9, 0.28}, 82e9};
-  p.creep = readFile("/adhesion/paper_table1.yaml", loco::readCreepLaw);
+  p.rail.elsewhere = readFile("/adhesion/paper_table1.yaml", loco::readCreepLaw);
   p.control = readFile("/control/" + control + ".yaml",
                        [](rail::YamlReader reader) { return adhesion::readController(reader, kMicro); });
   p.adhesion_limit = 0.35;
@@ -71,9 +71,9 @@ Ride makeRide(double v_mps, const std::string& control = "pi_per_axle") {
   return ride;
 }
 
-double sumOfLoads(const Loco2d& locomotive) {
+double sumOfLoads(const loco::LocoTraction& answer) {
   double sum = 0.0;
-  for (const Loco2d::Axle& axle : locomotive.axles()) sum += axle.normal_N;
+  for (const loco::AxleAdhesion& axle : answer.adhesion.axles) sum += axle.normal_force_N;
   return sum;
 }
 
@@ -82,7 +82,7 @@ TEST(Loco2dTest, AtRestOnLevelTrackItStaysAtRest) {
   ride.run(1.0);
   EXPECT_NEAR(ride.answer.speed_mps, 0.0, 1e-9);  // round-off of springs under 1.3 MN
   EXPECT_NEAR(ride.answer.traction_N, 0.0, 1e-3);
-  for (const Loco2d::Axle& axle : ride.locomotive.axles()) EXPECT_NEAR(axle.normal_N, kWeight_N / 6.0, 1e-3);
+  for (const loco::AxleAdhesion& axle : ride.answer.adhesion.axles) EXPECT_NEAR(axle.normal_force_N, kWeight_N / 6.0, 1e-3);
 }
 
 TEST(Loco2dTest, RollingFreelyItKeepsItsMomentumAndItsEnergy) {
@@ -114,10 +114,10 @@ TEST(Loco2dTest, UnderTractionLoadMovesToTheRearByTheMomentOfTheCoupler) {
   double moment = 0.0;
   const loco::LocoStructure s = paperParameters().structure;
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle)
-    moment += ride.locomotive.axles()[axle].normal_N * s.bodies[BodyLayout::wheelset(axle)].p_T.x();
+    moment += ride.answer.adhesion.axles[axle].normal_force_N * s.bodies[BodyLayout::wheelset(axle)].p_T.x();
   EXPECT_NEAR(ride.answer.traction_N, 200e3, 1.0);
   EXPECT_NEAR(moment, -0.885 * 200e3, 10.0);  // sum N x = -F h; what is left moves below 1 mm/s^2
-  EXPECT_NEAR(sumOfLoads(ride.locomotive), kWeight_N, 1.0);
+  EXPECT_NEAR(sumOfLoads(ride.answer), kWeight_N, 1.0);
 }
 
 TEST(Loco2dTest, ItsOwnEnergyAccountClosesUnderControl) {
@@ -149,14 +149,14 @@ TEST(Loco2dTest, UnderControlItSlipsAtSevenPerCentAndNothingOscillates) {
   const double mean = sum / n;
   EXPECT_NEAR(mean, 399.7e3, 1e3);                                      // an independent prototype's force at 4.42 m/s
   EXPECT_LT(std::sqrt(std::max(square / n - mean * mean, 0.0)), 10.0);  // no limit cycle: 1e-5 of the force
-  for (const Loco2d::Axle& axle : ride.locomotive.axles()) {
+  for (const loco::AxleAdhesion& axle : ride.answer.adhesion.axles) {
     EXPECT_NEAR(axle.creep, 0.07, 1e-4);
-    EXPECT_LT(axle.force_N / axle.normal_N, axle.friction);  // adhesion used stays below what the rail offers
+    EXPECT_LT(axle.force_N / axle.normal_force_N, axle.friction);  // adhesion used stays below what the rail offers
   }
 }
 
 TEST(Loco2dTest, ContactEnergyIsTheIntegralOfTheNormalForce) {
-  const loco::PlanarContact contact(paperParameters().contact, paperParameters().creep);
+  const loco::PlanarContact contact(paperParameters().contact, paperParameters().rail);
   for (const double approach_m : {2e-5, 9e-5, 2e-4}) {
     const double d = 1e-8;  // central difference: relative error (d/approach)^2, 2.5e-7 at worst
     const double slope =
@@ -175,9 +175,9 @@ TEST(Loco2dTest, AtSteadySpeedTheRimsPayTheRailsWorkAndTheSlip) {
   }
   const double H = 0.002, v = ride.answer.speed_mps;
   double slip_J = 0.0, rim_J = 0.0;
-  for (const Loco2d::Axle& axle : ride.locomotive.axles()) {
-    slip_J += axle.force_N * axle.slip_mps * H;
-    rim_J += axle.torque_N_m * (v + axle.slip_mps) / 0.5335 * H;
+  for (const loco::AxleAdhesion& axle : ride.answer.adhesion.axles) {
+    slip_J += axle.frictional_power_W * H;
+    rim_J += axle.torque_N_m * v * (1.0 + axle.creep) / 0.5335 * H;
   }
   // settled to 1e-5 of the force: the last micro step stands for all
   EXPECT_NEAR(ride.answer.work_slip_J, slip_J, 1e-4 * slip_J);
@@ -190,7 +190,7 @@ TEST(Loco2dTest, WithoutControlTheWheelsRaceAndOnlyKineticFrictionIsLeft) {
   ride.force.traction_reference_N = 560e3;
   ride.force.coupler_rear_N = -184.04e3;
   ride.run(30.0);
-  EXPECT_GT(ride.locomotive.axles()[0].slip_mps, 32.0);
+  EXPECT_GT(ride.answer.adhesion.axles[0].creep * ride.answer.speed_mps, 32.0);
   EXPECT_NEAR(ride.answer.traction_N, 0.4 * 0.35 * kWeight_N,
               30.0);  // A mu0 m g = 184.04 kN; e^(-B w) still gives 1e-4
 }

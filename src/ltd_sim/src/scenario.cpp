@@ -121,6 +121,14 @@ Driver readDriver(rail::YamlReader reader, const TrainModel& train) {
   return Driver::read(reader, train.notch_groups, largest);
 }
 
+/// What locomotives with contacts need; in a train without any of them these keys are unknown ones.
+void readContactOptions(rail::YamlReader& root, const Scenario& scenario, bool step_known) {
+  const std::vector<LocoUnit>& units = scenario.train.locomotives;
+  const bool needed = loco::hasContacts(scenario.locomotive_model) ||
+                      std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::hasContacts(u.model); });
+  if (needed) loco::readModelOptions(root, step_known ? scenario.micro_step : 0);
+}
+
 /// The train must stand on the track at the start, and the end must be on it.
 void checkPlaces(rail::YamlReader& root, const Scenario& scenario) {
   if (scenario.train.locomotives.empty()) return;
@@ -169,15 +177,15 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   if (scenario.name.find('/') != std::string::npos || scenario.name.substr(0, 1) == ".")
     root.refuse("name", "names the bag, so it must not hold '/' nor begin with '.'");
   root.text("description");
-  scenario.locomotive_model = root.choice("locomotive_model", loco::knownModels());
+  scenario.locomotive_model = loco::readModel(root);
   scenario.rotary_inertia = root.boolean("rotary_inertia");
   const bool step_known = isSound(problems, [&] { readSteps(root.map("steps"), scenario); });
-  loco::readModelOptions(root, scenario.locomotive_model, step_known ? scenario.micro_step : 0);
   const bool run_known = isSound(problems, [&] { scenario.run = readRun(root.map("run")); });
   scenario.lock = readLock(root.map("lock"));
   const bool train_known = isSound(problems, [&] {
     scenario.train = TrainModel::read(root.map("train"), scenario.locomotive_model, scenario.rotary_inertia);
   });
+  readContactOptions(root, scenario, step_known);
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
   scenario.driver = readDriver(root.map("driver"), scenario.train);
   const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};

@@ -53,10 +53,10 @@ class TrainBuilder {
     LocoUnit unit;
     if (locomotive) {
       unit = readLocomotive(group, reader);
-      loco::readLocoDetails(reader, model_, vehicle.mass_kg);
+      loco::readLocoDetails(reader, unit.model, vehicle.mass_kg);
     }
     // A locomotive whose wheelsets spin in its own model has their inertia there.
-    const bool rotary_inertia = rotary_inertia_ && !(locomotive && model_ != "1d");
+    const bool rotary_inertia = rotary_inertia_ && !(locomotive && loco::hasContacts(unit.model));
     reader.finish();
     group.finish();
     if (!roomFor(group, "count", static_cast<std::size_t>(count))) return;
@@ -96,6 +96,7 @@ class TrainBuilder {
   LocoUnit readLocomotive(rail::YamlReader& group, rail::YamlReader& vehicle) {
     LocoUnit unit;
     unit.key = vehicle.path();
+    unit.model = loco::readModelOr(group, model_);
     unit.adhesion_limit = loco::readAdhesionLimit(vehicle);
     unit.type = train_.traction.size();
     train_.traction.push_back(TractionCharacteristic::read(vehicle.map("traction")));

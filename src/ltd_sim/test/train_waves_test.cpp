@@ -91,7 +91,7 @@ TEST(TrainWavesTest, CouplerChattersAboveItsStepBoundAndSettlesBelow) {
   // between them: friction alone bounds H c 2/m < 2, c = (L - U)/(2 vs), so H = m vs/(0.275 L), L = 1.2 MN/0.725.
   const auto relativeSpeedAfter4s = [](double step_s) {
     ltd::TrainModel train = freeTrain(2, 22e3, fixtures::draftGear());
-    train.locomotives.push_back({1, 0, 0, 0.35, "train"});
+    train.locomotives.push_back({1, 0, 0, 0.35, "1d", "train"});
     Rig rig(train, fixtures::makeTrack(), step_s, 3000.0, 1.0);
     double largest_mps = 0.0;
     const int steps = static_cast<int>(4.0 / step_s);

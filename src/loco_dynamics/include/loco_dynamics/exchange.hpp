@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "loco_dynamics/adhesion_report.hpp"
 #include "rail_core/sim_time.hpp"
 
 namespace loco {
 
 /// Version of the lock's protocol: meaning of the messages below. Both sides must have the same.
-inline constexpr std::uint32_t kProtocolVersion = 1;
+inline constexpr std::uint32_t kProtocolVersion = 2;
 
 /// What LTD asks of and does to one locomotive during macro step k. Values at the start of the step, held over it.
 /// Forces act on the locomotive, + forward.
@@ -37,6 +38,7 @@ struct LocoTraction {
   double work_rim_J = 0.0;   ///< of the wheels' torques at their rims during the step
   double work_slip_J = 0.0;  ///< lost to slip between rim and rail during the step, >= 0
   std::vector<double> state;  ///< complete state at the end of the step
+  AdhesionReport adhesion;    ///< at the end of the step
   std::string failure;        ///< empty, or why the model cannot go on: body, place, cause
 };
 

@@ -1,15 +1,13 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <vector>
 
-#include "adhesion_control/controller_factory.hpp"
-#include "adhesion_control/torque_limit.hpp"
 #include "loco_dynamics/body_dynamics.hpp"
 #include "loco_dynamics/loco_structure.hpp"
 #include "loco_dynamics/locomotive.hpp"
 #include "loco_dynamics/planar_contact.hpp"
+#include "loco_dynamics/traction_drive.hpp"
 
 namespace loco {
 
@@ -24,7 +22,7 @@ class Loco2d : public Locomotive {
   struct Parameters {
     LocoStructure structure;
     PlanarContact::Parameters contact;
-    CreepLawParameters creep;
+    RailConditions rail;
     adhesion::ControlParameters control;
     double adhesion_limit = 0.0;       ///< of the weight [-]
     rail::Nanoseconds micro_step = 0;  ///< h
@@ -34,19 +32,6 @@ class Loco2d : public Locomotive {
   std::size_t stateSize() const override;
   std::vector<double> equilibriumState(double location_m, double speed_mps) const override;
   void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
-
-  /// What one axle did in the last micro step.
-  struct Axle {
-    double normal_N = 0.0;       ///< of both wheels
-    double force_N = 0.0;        ///< of both wheels, + forward
-    double slip_mps = 0.0;       ///< w = omega r - v
-    double creep = 0.0;          ///< w over max(v, 0.5)
-    double friction = 0.0;       ///< mu that the rail offers
-    double torque_N_m = 0.0;     ///< of the motor on the wheelset
-    double reference_N_m = 0.0;  ///< asked for, before control
-    bool controlled = false;     ///< the controller takes torque away
-  };
-  const std::array<Axle, BodyLayout::kAxles>& axles() const { return axles_; }
 
   /// Energies of the last macro step [J], for the locomotive's account:
   ///   motors + outer = d(kinetic) + d(stored) + dampers + slip + contact_damping + residual
@@ -63,21 +48,25 @@ class Loco2d : public Locomotive {
 
  private:
   void addOuterForces(const LocoForce& force, BodyVector& loads) const;
-  void addTorques(const LocoForce& force, double v_train_mps, double* control_state, BodyVector& loads);
   void addContactForces(double h, BodyVector& loads);
   double storedEnergy() const;
   void book(const LocoForce& force, const BodyVector& v_old, double h, LocoTraction& answer);
+  void report(AdhesionReport& out) const;
 
   Parameters parameters_;
   mutable BodyDynamics dynamics_;
   PlanarContact contact_;
-  std::unique_ptr<const adhesion::AdhesionController> controller_;
-  adhesion::TorqueLimit torque_limit_;
-  std::vector<adhesion::AxleMeasurement> measurements_;
-  std::vector<adhesion::AxleCommand> commands_;
+  TractionDrive drive_;
   BodyState state_;
-  std::array<Axle, BodyLayout::kAxles> axles_;
-  std::array<double, BodyLayout::kAxles> damping_normal_N_{};
+  struct Axle {
+    PlanarContact::AxleForce contact;
+    double normal_N = 0.0;          ///< of a wheel
+    double damping_normal_N = 0.0;  ///< its part from damping
+    double force_N = 0.0;           ///< of both wheels, + forward
+    double slip_mps = 0.0;          ///< w = omega r - v
+    double v_mps = 0.0;
+  };
+  std::array<Axle, BodyLayout::kAxles> axles_;  ///< in the last micro step
   Account account_;
 };
 

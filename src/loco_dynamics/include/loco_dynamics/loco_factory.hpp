@@ -4,7 +4,7 @@
 #include <string>
 
 #include "adhesion_control/controller_factory.hpp"
-#include "loco_dynamics/contact/creep_law.hpp"
+#include "loco_dynamics/contact/rail_conditions.hpp"
 #include "loco_dynamics/loco_structure.hpp"
 #include "loco_dynamics/locomotive.hpp"
 #include "loco_dynamics/planar_contact.hpp"
@@ -16,19 +16,27 @@ namespace loco {
 /// The models that a scenario may name in `locomotive_model`.
 const std::vector<std::string>& knownModels();
 
+/// Asks a scenario's root, or a group of locomotives in its train, for `locomotive_model`.
+std::string readModel(rail::YamlReader& reader);
+/// The same of a group, which goes by the scenario's model if it names none.
+std::string readModelOr(rail::YamlReader& group, const std::string& scenario_model);
+
+/// True if the model computes its bodies and contacts itself, so that it needs `adhesion`, `control`, `bodies`.
+bool hasContacts(const std::string& model);
+
 /// Asks a locomotive's map for adhesion_limit: largest traction over weight [-]; leaves finish() to the caller.
 double readAdhesionLimit(rail::YamlReader& reader);
 
 /// What a scenario's root says for locomotives with wheel-rail contact.
 struct ModelOptions {
-  CreepLawParameters creep;
+  RailConditions rail;
   adhesion::ControlParameters control;
 };
 
-/// Asks the scenario's root for `adhesion` and `control` (usually adhesion_file, control_file), which every model but
-/// 1d needs and 1d must not have.
+/// Asks the scenario's root for `adhesion`, `rail_sections` and `control` (usually adhesion_file, control_file), which
+/// every model but 1d needs and a train of 1d alone must not have.
 /// @param micro_step  h [ns]; <= 0 if it is not known
-ModelOptions readModelOptions(rail::YamlReader& root, const std::string& model, rail::Nanoseconds micro_step);
+ModelOptions readModelOptions(rail::YamlReader& root, rail::Nanoseconds micro_step);
 
 /// What a locomotive's own map says of its bodies and contacts.
 struct LocoDetails {
@@ -41,7 +49,7 @@ struct LocoDetails {
 LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, double vehicle_mass_kg);
 
 /// Makes the locomotive whose map stands at the dotted path `key` of a resolved scenario, e.g. train.groups.0.vehicle,
-/// with the model and options that the scenario's root gives. The whole scenario has been checked by its reader; what
+/// with the model that its group or the scenario's root names and the options that the root gives. The whole scenario has been checked by its reader; what
 /// is needed here is checked again and goes to `problems`, then the result is null.
 std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const std::string& key,
                                            rail::Problems& problems);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "loco_dynamics/contact/creep_law.hpp"
+#include "loco_dynamics/contact/rail_conditions.hpp"
 #include "loco_dynamics/contact/hertz.hpp"
 #include "rail_core/yaml_reader.hpp"
 
@@ -24,7 +24,7 @@ class PlanarContact {
   /// poisson_ratio, shear_modulus_Pa; finishes the reader.
   static Parameters read(rail::YamlReader reader, double wheel_radius_m);
 
-  PlanarContact(const Parameters& parameters, const CreepLawParameters& creep);
+  PlanarContact(const Parameters& parameters, const RailConditions& rail);
 
   /// Force of one wheel [N], >= 0, at approach delta [m] and its rate [m/s].
   double computeNormalForce(double approach_m, double approach_rate_mps) const;
@@ -36,20 +36,21 @@ class PlanarContact {
   struct AxleForce {
     double force_N = 0.0;          ///< of both wheels on the wheelset, + forward
     double friction = 0.0;         ///< mu that the rail offers at this slip speed
+    double static_friction = 0.0;  ///< mu0 of the rail at this place
     double slope_N_s_per_m = 0.0;  ///< dF/dw, w slip speed of the wheels over the rail, + driving
   };
   /// @param normal_N  of one wheel
   /// @param slip_mps  w = omega r - v, + driving
   /// @param v_mps     speed of the wheelset along the track
-  AxleForce computeAxleForce(double normal_N, double slip_mps, double v_mps) const;
+  /// @param location_m  chainage of the wheelset: decides on the rail's condition
+  AxleForce computeAxleForce(double normal_N, double slip_mps, double v_mps, double location_m) const;
 
  private:
-  double forceOf(const ContactPatch& patch, double slip_mps, double v_mps, double& friction) const;
 
   Parameters parameters_;
   HertzContact hertz_;
   KalkerCoefficients kalker_;
-  CreepLaw creep_;
+  CreepLawByPlace creep_;
 };
 
 }  // namespace loco

@@ -16,6 +16,7 @@ struct LocoUnit {
   std::size_t notch_group = 0;  ///< index in TrainModel::notch_groups
   std::size_t type = 0;         ///< index in TrainModel::traction
   double adhesion_limit = 0.0;  ///< of its weight [-]; bounds the coupler forces that a step must bear
+  std::string model;            ///< 1d, 2d, ...
   std::string key;              ///< dotted path of its map in the resolved scenario
 };
 

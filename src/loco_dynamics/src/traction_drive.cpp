@@ -1,0 +1,52 @@
+#include "loco_dynamics/traction_drive.hpp"
+
+namespace loco {
+
+namespace {
+
+adhesion::Setup controllerSetup(const LocoStructure& structure, rail::Nanoseconds micro_step) {
+  adhesion::Setup setup;
+  setup.micro_step = micro_step;
+  setup.wheel_radius_m = structure.wheel_radius_m;
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle)
+    setup.bogie_of_axle.push_back(axle / BodyLayout::kAxlesPerBogie);
+  return setup;
+}
+
+}  // namespace
+
+TractionDrive::TractionDrive(const LocoStructure& structure, const adhesion::ControlParameters& control,
+                             double adhesion_limit, rail::Nanoseconds micro_step)
+    : controller_(adhesion::makeController(control, controllerSetup(structure, micro_step))),
+      limit_{structure.wheel_radius_m, structure.totalMass(), static_cast<int>(BodyLayout::kAxles), adhesion_limit},
+      rim_power_limit_(control.rim_power_limit),
+      measurements_(BodyLayout::kAxles),
+      commands_(BodyLayout::kAxles) {}
+
+void TractionDrive::addTorques(const LocoForce& force, const BodyVector& v, double* state, BodyVector& loads) {
+  const double reference_N_m = adhesion::computeTorqueReference(limit_, force.traction_reference_N);
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
+    const double omega = v[BodyLayout::wheelset(axle)][kPitch];
+    measurements_[axle].omega_radps = omega;
+    measurements_[axle].torque_reference_N_m =
+        rim_power_limit_ ? adhesion::limitRimPower(limit_, reference_N_m, omega, force.rim_power_limit_W)
+                         : reference_N_m;
+  }
+  controller_->step(force.speed_mps, measurements_, state, commands_);
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
+    loads[BodyLayout::wheelset(axle)][kPitch] += commands_[axle].torque_N_m;
+    loads[BodyLayout::bogieOfAxle(axle)][kPitch] -= commands_[axle].torque_N_m;
+  }
+}
+
+TractionDrive::Work TractionDrive::computeWork(const BodyVector& v_mean, double h) const {
+  Work work;
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
+    const double omega = v_mean[BodyLayout::wheelset(axle)][kPitch];
+    work.rims += commands_[axle].torque_N_m * omega * h;
+    work.motors += commands_[axle].torque_N_m * (omega - v_mean[BodyLayout::bogieOfAxle(axle)][kPitch]) * h;
+  }
+  return work;
+}
+
+}  // namespace loco
