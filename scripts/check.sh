@@ -59,7 +59,7 @@ check_includes() {
   mapfile -d '' files < <(cpp_files)
   for file in "${files[@]}"; do
     case "${file#"$REPO"/}" in
-      src/*/src/node/* | src/*/test/node/* | src/train_viz/* | src/train_msgs/*) continue ;;
+      src/*/src/node/* | src/*/include/*/node/* | src/*/test/node/* | src/train_viz/* | src/train_msgs/*) continue ;;
     esac
     if grep -HnE '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"](ros/|rosbag/|[A-Za-z0-9_]+_msgs/|tf2)' "$file"; then
       found=1

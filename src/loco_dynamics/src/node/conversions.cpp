@@ -1,4 +1,4 @@
-#include "conversions.hpp"
+#include "loco_dynamics/node/conversions.hpp"
 
 namespace loco {
 
@@ -26,6 +26,93 @@ std::uint8_t kindOf(TractionMessage::Kind kind) {
   return train_msgs::LocoTraction::FAILED;
 }
 
+void toMsg(const AxleAdhesion& a, train_msgs::AxleAdhesion& msg) {
+  msg.creep = a.creep;
+  msg.adhesion = a.adhesion;
+  msg.friction = a.friction;
+  msg.static_friction = a.static_friction;
+  msg.normal_force = a.normal_force_N;
+  msg.force = a.force_N;
+  msg.torque_demanded = a.torque_reference_N_m;
+  msg.torque_applied = a.torque_N_m;
+  msg.controller_active = static_cast<std::uint8_t>(a.controlled);
+  msg.frictional_power = a.frictional_power_W;
+  msg.t_gamma = a.t_gamma_N;
+  msg.vertical_force_left = a.vertical_force_N[0];
+  msg.vertical_force_right = a.vertical_force_N[1];
+  msg.lateral_force_left = a.lateral_force_N[0];
+  msg.lateral_force_right = a.lateral_force_N[1];
+}
+
+AxleAdhesion fromMsg(const train_msgs::AxleAdhesion& msg) {
+  AxleAdhesion a;
+  a.creep = msg.creep;
+  a.adhesion = msg.adhesion;
+  a.friction = msg.friction;
+  a.static_friction = msg.static_friction;
+  a.normal_force_N = msg.normal_force;
+  a.force_N = msg.force;
+  a.torque_reference_N_m = msg.torque_demanded;
+  a.torque_N_m = msg.torque_applied;
+  a.controlled = msg.controller_active != 0;
+  a.frictional_power_W = msg.frictional_power;
+  a.t_gamma_N = msg.t_gamma;
+  a.vertical_force_N[0] = msg.vertical_force_left;
+  a.vertical_force_N[1] = msg.vertical_force_right;
+  a.lateral_force_N[0] = msg.lateral_force_left;
+  a.lateral_force_N[1] = msg.lateral_force_right;
+  return a;
+}
+
+void toMsg(const ContactAdhesion& c, train_msgs::ContactAdhesion& msg) {
+  msg.axle = c.axle;
+  msg.right = static_cast<std::uint8_t>(c.right);
+  msg.x = c.x_m;
+  msg.y = c.y_m;
+  msg.z = c.z_m;
+  msg.angle = c.angle_rad;
+  msg.rolling_radius = c.rolling_radius_m;
+  msg.a = c.a_m;
+  msg.b = c.b_m;
+  msg.normal_force = c.normal_force_N;
+  msg.longitudinal_force = c.longitudinal_force_N;
+  msg.lateral_force = c.lateral_force_N;
+  msg.creep_x = c.xi_x;
+  msg.creep_y = c.xi_y;
+  msg.spin = c.phi_1pm;
+  msg.friction = c.friction;
+}
+
+ContactAdhesion fromMsg(const train_msgs::ContactAdhesion& msg) {
+  ContactAdhesion c;
+  c.axle = msg.axle;
+  c.right = msg.right != 0;
+  c.x_m = msg.x;
+  c.y_m = msg.y;
+  c.z_m = msg.z;
+  c.angle_rad = msg.angle;
+  c.rolling_radius_m = msg.rolling_radius;
+  c.a_m = msg.a;
+  c.b_m = msg.b;
+  c.normal_force_N = msg.normal_force;
+  c.longitudinal_force_N = msg.longitudinal_force;
+  c.lateral_force_N = msg.lateral_force;
+  c.xi_x = msg.creep_x;
+  c.xi_y = msg.creep_y;
+  c.phi_1pm = msg.spin;
+  c.friction = msg.friction;
+  return c;
+}
+
+/// @param msg  a message with axles and contacts
+template <typename Message>
+void reportToMsg(const AdhesionReport& report, Message& msg) {
+  msg.axles.resize(report.axles.size());
+  for (std::size_t i = 0; i < report.axles.size(); ++i) toMsg(report.axles[i], msg.axles[i]);
+  msg.contacts.resize(report.contacts.size());
+  for (std::size_t i = 0; i < report.contacts.size(); ++i) toMsg(report.contacts[i], msg.contacts[i]);
+}
+
 }  // namespace
 
 ForceMessage fromMsg(const train_msgs::LocoForce& msg) {
@@ -45,19 +132,6 @@ ForceMessage fromMsg(const train_msgs::LocoForce& msg) {
   f.speed_mps = msg.speed;
   f.location_m = msg.location;
   return message;
-}
-
-void toMsg(const TractionMessage& message, train_msgs::LocoTraction& msg) {
-  const LocoTraction& t = message.traction;
-  msg.id = toMsg(message.id, t.step);
-  msg.kind = kindOf(message.kind);
-  msg.reason = t.failure;
-  msg.traction = t.traction_N;
-  msg.speed = t.speed_mps;
-  msg.location = t.location_m;
-  msg.work_rim = t.work_rim_J;
-  msg.work_slip = t.work_slip_J;
-  msg.state = t.state;
 }
 
 train_msgs::JoinTrain::Request toMsg(const JoinRequest& request) {
@@ -85,6 +159,96 @@ JoinAnswer fromMsg(const train_msgs::JoinTrain::Response& msg) {
   answer.configuration = msg.configuration;
   answer.locomotive_key = msg.locomotive_key;
   return answer;
+}
+
+void toMsg(const ForceMessage& message, train_msgs::LocoForce& msg) {
+  const LocoForce& f = message.force;
+  msg.header.stamp = toStamp(static_cast<rail::Nanoseconds>(f.step) * f.step_length);
+  msg.id = toMsg(message.id, f.step);
+  msg.step_length = f.step_length;
+  msg.traction_reference = f.traction_reference_N;
+  msg.notch = f.notch;
+  msg.rim_power_limit = f.rim_power_limit_W;
+  msg.coupler_front = f.coupler_front_N;
+  msg.coupler_rear = f.coupler_rear_N;
+  msg.propulsion_resistance = f.propulsion_resistance_N;
+  msg.curving_resistance = f.curving_resistance_N;
+  msg.grade = f.grade_N;
+  msg.speed = f.speed_mps;
+  msg.location = f.location_m;
+}
+
+void toMsg(const ExchangeId& id, const LocoTraction& t, train_msgs::LocoTraction& msg) {
+  msg.id = toMsg(id, t.step);
+  msg.kind = train_msgs::LocoTraction::ANSWER;
+  msg.reason.clear();
+  msg.traction = t.traction_N;
+  msg.speed = t.speed_mps;
+  msg.location = t.location_m;
+  msg.work_rim = t.work_rim_J;
+  msg.work_slip = t.work_slip_J;
+  msg.state = t.state;
+  reportToMsg(t.adhesion, msg);
+}
+
+void toMsg(const TractionMessage& message, train_msgs::LocoTraction& msg) {
+  toMsg(message.id, message.traction, msg);
+  msg.kind = kindOf(message.kind);
+  msg.reason = message.traction.failure;
+}
+
+TractionMessage fromMsg(const train_msgs::LocoTraction& msg) {
+  using Kind = TractionMessage::Kind;
+  TractionMessage message;
+  message.id = {msg.id.run_id, msg.id.epoch, msg.id.incarnation, msg.id.locomotive};
+  message.kind = msg.kind == train_msgs::LocoTraction::ANSWER       ? Kind::kAnswer
+                 : msg.kind == train_msgs::LocoTraction::NEED_STATE ? Kind::kNeedState
+                                                                    : Kind::kFailed;
+  LocoTraction& t = message.traction;
+  t.step = msg.id.step;
+  t.traction_N = msg.traction;
+  t.speed_mps = msg.speed;
+  t.location_m = msg.location;
+  t.work_rim_J = msg.work_rim;
+  t.work_slip_J = msg.work_slip;
+  t.state = msg.state;
+  for (const train_msgs::AxleAdhesion& axle : msg.axles) t.adhesion.axles.push_back(fromMsg(axle));
+  for (const train_msgs::ContactAdhesion& contact : msg.contacts) t.adhesion.contacts.push_back(fromMsg(contact));
+  t.failure = message.kind == Kind::kFailed && msg.reason.empty() ? "failed without a reason" : msg.reason;
+  return message;
+}
+
+JoinRequest fromMsg(const train_msgs::JoinTrain::Request& msg) {
+  return {msg.protocol_version, msg.build_id, msg.arithmetic_fingerprint, msg.locomotive, msg.node};
+}
+
+void toMsg(const JoinAnswer& answer, train_msgs::JoinTrain::Response& msg) {
+  msg.accepted = static_cast<std::uint8_t>(answer.accepted);
+  msg.reason = answer.reason;
+  msg.wait = static_cast<std::uint8_t>(answer.wait);
+  msg.run_id = answer.id.run_id;
+  msg.epoch = answer.id.epoch;
+  msg.incarnation = answer.id.incarnation;
+  msg.step = answer.step;
+  msg.state = answer.state;
+  msg.location = answer.location_m;
+  msg.speed = answer.speed_mps;
+  msg.step_length = answer.step_length;
+  msg.heartbeat_deadline = answer.heartbeat_deadline_s;
+  msg.configuration = answer.configuration;
+  msg.locomotive_key = answer.locomotive_key;
+}
+
+ros::Time toStamp(rail::Nanoseconds t) {
+  ros::Time stamp;
+  return stamp.fromNSec(static_cast<std::uint64_t>(t + rail::kNanosecondsPerSecond));
+}
+
+void toMsg(rail::Nanoseconds t, const LocoTraction& traction, train_msgs::Adhesion& msg) {
+  msg.header.stamp = toStamp(t);
+  msg.location = traction.location_m;
+  msg.speed = traction.speed_mps;
+  reportToMsg(traction.adhesion, msg);
 }
 
 }  // namespace loco

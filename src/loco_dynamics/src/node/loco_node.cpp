@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "conversions.hpp"
+#include "loco_dynamics/node/conversions.hpp"
 #include "loco_dynamics/loco_factory.hpp"
 #include "rail_core/build_id.hpp"
 #include "rail_core/digest.hpp"

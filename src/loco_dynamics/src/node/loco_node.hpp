@@ -9,7 +9,7 @@
 #include <mutex>
 #include <string>
 
-#include "immediate_queue.hpp"
+#include "loco_dynamics/node/immediate_queue.hpp"
 #include "loco_dynamics/loco_session.hpp"
 
 namespace loco {

@@ -20,6 +20,7 @@ BagWriter::BagWriter(const Scenario& scenario, const std::string& folder, std::u
   for (std::size_t i = 1; i <= scenario.train.locomotives.size(); ++i) {
     force_topics_.push_back("/loco_" + std::to_string(i) + "/force");
     traction_topics_.push_back("/loco_" + std::to_string(i) + "/traction");
+    adhesion_topics_.push_back("/loco_" + std::to_string(i) + "/adhesion");
   }
 }
 
@@ -45,7 +46,9 @@ void BagWriter::onStep(const StepRecord& record) {
   forces_ = &record.forces;
   if (scenario_.output.record_exchange) writeExchange(record);
   const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(record.after.step) * scenario_.macro_step;
-  if (t % scenario_.output.telemetry_interval == 0) writeTelemetry(record.after, record.forces);
+  if (t % scenario_.output.telemetry_interval != 0) return;
+  writeTelemetry(record.after, record.forces);
+  writeAdhesion(t, record.answers);
 }
 
 void BagWriter::onEnd(const TrainState& state, const Outcome&) {
@@ -62,6 +65,14 @@ void BagWriter::writeTelemetry(const TrainState& state, const TrainForces& force
   written_ = state_msg_.header.stamp;
 }
 
+void BagWriter::writeAdhesion(rail::Nanoseconds t, const std::vector<const loco::LocoTraction*>& answers) {
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (answers[i]->adhesion.axles.empty()) continue;
+    toMsg(t, *answers[i], adhesion_msg_);
+    bag_->write(adhesion_topics_[i], adhesion_msg_.header.stamp, adhesion_msg_);
+  }
+}
+
 void BagWriter::writeExchange(const StepRecord& record) {
   const rail::Nanoseconds end = static_cast<rail::Nanoseconds>(record.after.step) * scenario_.macro_step;
   for (std::size_t i = 0; i < record.answers.size(); ++i) {
@@ -73,6 +84,9 @@ void BagWriter::writeExchange(const StepRecord& record) {
     bag_->write(force_topics_[i], force_msg_.header.stamp, force_msg_);
     toMsg(force.id, *record.answers[i], traction_msg_);
     traction_msg_.header.stamp = toStamp(end);
+    traction_msg_.state.clear();
+    traction_msg_.axles.clear();
+    traction_msg_.contacts.clear();
     bag_->write(traction_topics_[i], traction_msg_.header.stamp, traction_msg_);
   }
 }

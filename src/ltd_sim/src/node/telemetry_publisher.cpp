@@ -4,6 +4,7 @@
 #include <train_msgs/RunConfiguration.h>
 
 #include "conversions.hpp"
+#include "loco_dynamics/loco_factory.hpp"
 
 namespace ltd {
 
@@ -12,6 +13,11 @@ TelemetryPublisher::TelemetryPublisher(const Scenario& scenario, std::uint64_t r
   configuration_ = node_.advertise<train_msgs::RunConfiguration>("train/configuration", 1, true);
   state_ = node_.advertise<train_msgs::TrainState>("train/state", 100, true);
   energy_ = node_.advertise<train_msgs::TrainEnergy>("train/energy", 100, true);
+  for (std::size_t i = 0; i < scenario.train.locomotives.size(); ++i) {
+    adhesion_.emplace_back();
+    if (loco::hasContacts(scenario.train.locomotives[i].model))
+      adhesion_[i] = node_.advertise<train_msgs::Adhesion>("loco_" + std::to_string(i + 1) + "/adhesion", 100, true);
+  }
   clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 100);
 }
 
@@ -27,6 +33,11 @@ void TelemetryPublisher::onStep(const StepRecord& record) {
   toMsg(scenario_, record.after, energy_msg_);
   state_.publish(state_msg_);
   energy_.publish(energy_msg_);
+  for (std::size_t i = 0; i < adhesion_.size(); ++i) {
+    if (!adhesion_[i]) continue;
+    toMsg(t, *record.answers[i], adhesion_msg_);
+    adhesion_[i].publish(adhesion_msg_);
+  }
   publishClock(t);
 }
 

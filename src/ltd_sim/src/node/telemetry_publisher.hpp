@@ -1,15 +1,18 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <train_msgs/Adhesion.h>
 #include <train_msgs/TrainEnergy.h>
 #include <train_msgs/TrainState.h>
+
+#include <vector>
 
 #include "ltd_sim/run_observer.hpp"
 
 namespace ltd {
 
-/// Publishes a run as it goes, at the scenario's telemetry interval in simulation time: /train/state, /train/energy and
-/// /clock; /train/configuration once. All but the clock are latched, so that a held train shows its last state.
+/// Publishes a run as it goes, at the scenario's telemetry interval in simulation time: /train/state, /train/energy,
+/// /clock and, for locomotives with wheels, /loco_i/adhesion, all of committed steps; /train/configuration once. All but the clock are latched, so that a held train shows its last state.
 class TelemetryPublisher : public RunObserver {
  public:
   TelemetryPublisher(const Scenario& scenario, std::uint64_t run_id);
@@ -23,8 +26,10 @@ class TelemetryPublisher : public RunObserver {
   std::uint64_t run_id_;
   ros::NodeHandle node_;
   ros::Publisher configuration_, state_, energy_, clock_;
+  std::vector<ros::Publisher> adhesion_;  ///< per locomotive; empty where there is nothing to say
   train_msgs::TrainState state_msg_;
   train_msgs::TrainEnergy energy_msg_;
+  train_msgs::Adhesion adhesion_msg_;
 };
 
 }  // namespace ltd
