@@ -122,11 +122,25 @@ Driver readDriver(rail::YamlReader reader, const TrainModel& train) {
 }
 
 /// What locomotives with contacts need; in a train without any of them these keys are unknown ones.
-void readContactOptions(rail::YamlReader& root, const Scenario& scenario, bool step_known) {
+/// @return the sections of the rail
+std::vector<loco::RailConditions::Section> readContactOptions(rail::YamlReader& root, const Scenario& scenario,
+                                                              bool step_known) {
   const std::vector<LocoUnit>& units = scenario.train.locomotives;
   const bool needed = loco::hasContacts(scenario.locomotive_model) ||
                       std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::hasContacts(u.model); });
-  if (needed) loco::readModelOptions(root, step_known ? scenario.micro_step : 0);
+  if (!needed) return {};
+  return loco::readModelOptions(root, step_known ? scenario.micro_step : 0).rail.sections;
+}
+
+void checkRailSections(rail::YamlReader& root, const std::vector<loco::RailConditions::Section>& sections,
+                       const rail::Track& track) {
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    rail::YamlReader section = root.maps("rail_sections")[i];
+    const std::string rule = "is beyond the track, " + format(track.start_m() / rail::kMetresPerKilometre) + " to " +
+                             format(track.end_m() / rail::kMetresPerKilometre) + " km";
+    if (sections[i].from_m < track.start_m()) section.refuse("from_km", rule);
+    if (sections[i].to_m > track.end_m()) section.refuse("to_km", rule);
+  }
 }
 
 /// The train must stand on the track at the start, and the end must be on it.
@@ -185,12 +199,14 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   const bool train_known = isSound(problems, [&] {
     scenario.train = TrainModel::read(root.map("train"), scenario.locomotive_model, scenario.rotary_inertia);
   });
-  readContactOptions(root, scenario, step_known);
+  std::vector<loco::RailConditions::Section> sections;
+  const bool sections_known = isSound(problems, [&] { sections = readContactOptions(root, scenario, step_known); });
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
   scenario.driver = readDriver(root.map("driver"), scenario.train);
   const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};
   scenario.output = readOutput(root.map("output"), bounds, scenario.macro_step, step_known);
   root.finish();
+  if (sections_known && track_known) checkRailSections(root, sections, scenario.track);
   if (train_known && run_known && track_known) checkPlaces(root, scenario);
   if (train_known && step_known) checkStep(root, scenario);
   problems.throwIfAny();

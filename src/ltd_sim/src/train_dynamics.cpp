@@ -177,12 +177,16 @@ void TrainDynamics::bookCouplers(const TrainState& state, const TrainForces& for
 void TrainDynamics::updateStoredEnergies(TrainState& state) {
   double kinetic = 0.0, potential = 0.0, stored = 0.0;
   for (std::size_t i = 0; i < train_.vehicles.size(); ++i) {
-    kinetic += 0.5 * train_.inertial_mass_kg[i] * state.v_mps[i] * state.v_mps[i];
-    const double height_m = track_.at(state.s_m[i], track_hint_[i]).height_m;
+    const double v = state.v_mps[i];
+    kinetic += 0.5 * train_.inertial_mass_kg[i] * v * v;
+    const double height_m = track_.at(state.s_m[i] - 0.5 * H_ * v, track_hint_[i]).height_m;  // (T9)
     potential -= computeGradeForce(train_.vehicles[i], 1.0) * height_m;
   }
-  for (std::size_t i = 0; i < train_.coupler_type.size(); ++i)
-    stored += train_.coupler_types[train_.coupler_type[i]].computeStoredEnergy(couplerElongation(i, state));
+  for (std::size_t i = 0; i < train_.coupler_type.size(); ++i) {
+    const double elongation_m =
+        couplerElongation(i, state) - 0.5 * H_ * (state.v_mps[i] - state.v_mps[i + 1]);  // (T9)
+    stored += train_.coupler_types[train_.coupler_type[i]].computeStoredEnergy(elongation_m);
+  }
   state.account.kinetic = kinetic;
   state.account.potential = potential;
   state.account.coupler_stored = stored;

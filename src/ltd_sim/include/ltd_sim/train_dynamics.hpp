@@ -70,7 +70,7 @@ class TrainDynamics {
   /// @return empty, or what became of which vehicle (a number that is none)
   std::string step(TrainState& state, const TrainForces& forces, const std::vector<const loco::LocoTraction*>& answers);
 
-  /// Brings the stored energies of the account (kinetic, potential, couplers) up to the state.
+  /// Brings the stored energies of the account (kinetic, potential, couplers) up to the state.                 (T9)
   void updateStoredEnergies(TrainState& state);
 
   double leadingLocation(const TrainState& state) const { return state.s_m[train_.locomotives.front().vehicle]; }

@@ -12,6 +12,7 @@ import rosunit
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from graph import PAPER, REPO, Graph, outcome_of, run_offline  # noqa: E402
 
+WET_STRETCH = os.path.join(REPO, "config", "scenarios", "wet_stretch.yaml")
 SHORT = "run.end_time_s=8"  # 4000 steps: all locomotives pull, the slack runs out
 
 
@@ -61,6 +62,23 @@ class GraphTest(unittest.TestCase):
         offline_bag = bag_payloads(os.path.join(self.graph.folder, "offline", "paper_1d.bag"))
         self.assertEqual(len(graph_bag), 2 * 401 + 6 * 4000)
         self.assertEqual(graph_bag, offline_bag)
+
+    def test_locomotives_with_contacts_give_the_same_bits_and_tell_the_same_of_their_adhesion(self):
+        overrides = "run.start_location_km=3.36 run.start_speed_kmph=27 run.end_time_s=5"
+        overrides += " output.report_locations_km=[3.38] output.section_boundaries_km=[3.37]"
+        self.graph.start_master()
+        train = self.graph.start_train(overrides, scenario=WET_STRETCH)
+        for i in (1, 2, 3):
+            self.graph.start_loco(i)
+        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
+        offline = os.path.join(self.graph.folder, "offline")
+        self.assertEqual(outcome_of(self.graph.out), run_offline(offline, overrides, WET_STRETCH))
+        graph_bag = bag_payloads(os.path.join(self.graph.out, "wet_stretch.bag"))
+        self.assertEqual(graph_bag, bag_payloads(os.path.join(offline, "wet_stretch.bag")))
+        leading = [message for topic, _, message in graph_bag if topic == "/loco_1/adhesion"]
+        self.assertEqual(len(leading), 250)
+        self.assertEqual({round(axle.static_friction, 3) for axle in leading[-1].axles}, {0.2})
+        self.assertEqual({round(axle.static_friction, 3) for axle in leading[0].axles}, {0.35})
 
     def test_a_locomotive_killed_in_the_run_and_started_again_leaves_the_bits_alone(self):
         train, locos = self.start_all(SHORT, hold="true")
