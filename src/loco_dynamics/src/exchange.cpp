@@ -60,6 +60,8 @@ bool samePayload(const LocoTraction& a, const LocoTraction& b) {
 
 bool allFinite(const LocoForce& force) { return finite(numbersOf(force)); }
 
-bool allFinite(const LocoTraction& traction) { return finite(numbersOf(traction)) && finite(traction.state) && allFinite(traction.adhesion); }
+bool allFinite(const LocoTraction& traction) {
+  return finite(numbersOf(traction)) && finite(traction.state) && allFinite(traction.adhesion);
+}
 
 }  // namespace loco

@@ -82,7 +82,8 @@ TEST(Loco2dTest, AtRestOnLevelTrackItStaysAtRest) {
   ride.run(1.0);
   EXPECT_NEAR(ride.answer.speed_mps, 0.0, 1e-9);  // round-off of springs under 1.3 MN
   EXPECT_NEAR(ride.answer.traction_N, 0.0, 1e-3);
-  for (const loco::AxleAdhesion& axle : ride.answer.adhesion.axles) EXPECT_NEAR(axle.normal_force_N, kWeight_N / 6.0, 1e-3);
+  for (const loco::AxleAdhesion& axle : ride.answer.adhesion.axles)
+    EXPECT_NEAR(axle.normal_force_N, kWeight_N / 6.0, 1e-3);
 }
 
 TEST(Loco2dTest, RollingFreelyItKeepsItsMomentumAndItsEnergy) {

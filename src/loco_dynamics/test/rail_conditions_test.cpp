@@ -4,7 +4,8 @@
 
 namespace {
 
-constexpr const char* kLaw = "{name: x, method: polach, friction: {mu0: %, A: 0.4, B_s_per_m: 0.2}, polach: {k_A: 1, k_S: 0.4}}";
+constexpr const char* kLaw =
+    "{name: x, method: polach, friction: {mu0: %, A: 0.4, B_s_per_m: 0.2}, polach: {k_A: 1, k_S: 0.4}}";
 
 std::string law(const std::string& mu0) {
   std::string text = kLaw;

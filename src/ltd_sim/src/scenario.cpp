@@ -126,8 +126,9 @@ Driver readDriver(rail::YamlReader reader, const TrainModel& train) {
 std::vector<loco::RailConditions::Section> readContactOptions(rail::YamlReader& root, const Scenario& scenario,
                                                               bool step_known) {
   const std::vector<LocoUnit>& units = scenario.train.locomotives;
-  const bool needed = loco::hasContacts(scenario.locomotive_model) ||
-                      std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::hasContacts(u.model); });
+  const bool needed =
+      loco::hasContacts(scenario.locomotive_model) ||
+      std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::hasContacts(u.model); });
   if (!needed) return {};
   return loco::readModelOptions(root, step_known ? scenario.micro_step : 0).rail.sections;
 }

@@ -46,7 +46,8 @@ void SummaryWriter::reportLocos(double location_m, double w, const TrainState& b
   for (std::size_t i = 0; i < scenario_.train.locomotives.size(); ++i) {
     const std::size_t v = scenario_.train.locomotives[i].vehicle;
     const auto row = [&](const char* quantity, const char* unit, double value) {
-      file_.row({scenario_.train.locomotives[i].model, std::to_string(v + 1), quantity, unit, location_km, allDigits(value)});
+      file_.row(
+          {scenario_.train.locomotives[i].model, std::to_string(v + 1), quantity, unit, location_km, allDigits(value)});
     };
     row("traction_force", "N", between(before.traction_N[i], after.traction_N[i]));
     row("speed", "m/s", between(before.v_mps[v], after.v_mps[v]));

@@ -183,8 +183,7 @@ void TrainDynamics::updateStoredEnergies(TrainState& state) {
     potential -= computeGradeForce(train_.vehicles[i], 1.0) * height_m;
   }
   for (std::size_t i = 0; i < train_.coupler_type.size(); ++i) {
-    const double elongation_m =
-        couplerElongation(i, state) - 0.5 * H_ * (state.v_mps[i] - state.v_mps[i + 1]);  // (T9)
+    const double elongation_m = couplerElongation(i, state) - 0.5 * H_ * (state.v_mps[i] - state.v_mps[i + 1]);  // (T9)
     stored += train_.coupler_types[train_.coupler_type[i]].computeStoredEnergy(elongation_m);
   }
   state.account.kinetic = kinetic;

@@ -66,12 +66,12 @@ TEST(WetStretchTest, EachWheelsetFeelsTheRailAtItsOwnPlaceAndControlHoldsThemAll
   EXPECT_EQ(run.outcome.kind, ltd::Outcome::Kind::kFinished) << run.outcome.reason;
   EXPECT_TRUE(half_wet_seen);
   EXPECT_TRUE(all_wet_seen);
-  EXPECT_GT(largest_creep, 0.08);                     // a wheelset that meets water slips for a moment ...
-  EXPECT_LT(largest_creep, 0.15);                     // ... and is caught
-  EXPECT_NEAR(wet_force.mean(), 236.7e3, 2e3);        // regression: this run; 60 % of the dry rail's force
-  EXPECT_LT(wet_force.deviation(), 200.0);            // falls slowly with speed, does not oscillate: 0.1 %
+  EXPECT_GT(largest_creep, 0.08);               // a wheelset that meets water slips for a moment ...
+  EXPECT_LT(largest_creep, 0.15);               // ... and is caught
+  EXPECT_NEAR(wet_force.mean(), 236.7e3, 2e3);  // regression: this run; 60 % of the dry rail's force
+  EXPECT_LT(wet_force.deviation(), 200.0);      // falls slowly with speed, does not oscillate: 0.1 %
   EXPECT_NEAR(wet_creep.mean(), 0.07, 0.001);
-  EXPECT_NEAR(dry_force.mean(), 384e3, 2e3);          // and the rail's force comes back
+  EXPECT_NEAR(dry_force.mean(), 384e3, 2e3);  // and the rail's force comes back
   EXPECT_LT(std::abs(run.state.account.residualRelative()), 1e-6);
 }
 
@@ -117,7 +117,8 @@ TEST_F(MixedModelsTest, EachLocomotiveOfATrainHasTheModelOfItsGroup) {
   std::size_t axles[3] = {9, 9, 9};
   const fixtures::FinishedRun run = runScenario(scenario, [&](const ltd::StepRecord& record) {
     for (std::size_t i = 0; i < 3; ++i) axles[i] = record.answers[i]->adhesion.axles.size();
-    if (record.after.s_m[0] < 3150.0) force_N[0] = record.answers[0]->traction_N, force_N[1] = record.answers[1]->traction_N;
+    if (record.after.s_m[0] < 3150.0)
+      force_N[0] = record.answers[0]->traction_N, force_N[1] = record.answers[1]->traction_N;
   });
   EXPECT_EQ(run.outcome.kind, ltd::Outcome::Kind::kFinished) << run.outcome.reason;
   EXPECT_EQ(axles[0], 6u);
@@ -135,7 +136,8 @@ TEST_F(MixedModelsTest, AGroupMayNotNameAModelThatDoesNotExistNorAWagonAny) {
     FAIL() << "accepted";
   } catch (const rail::ConfigError& error) {
     ASSERT_EQ(error.lines().size(), 2u) << error.what();
-    EXPECT_NE(error.lines()[0].find("groups.1.locomotive_model = 4d: must be one of"), std::string::npos) << error.what();
+    EXPECT_NE(error.lines()[0].find("groups.1.locomotive_model = 4d: must be one of"), std::string::npos)
+        << error.what();
     EXPECT_NE(error.lines()[1].find("groups.2.locomotive_model = 1d: unknown key"), std::string::npos) << error.what();
   }
 }

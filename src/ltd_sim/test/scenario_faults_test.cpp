@@ -233,7 +233,8 @@ TEST_F(ScenarioFaultTest, AFaultDoesNotAccuseWhatIsSoundBesideIt) {
 TEST_F(ScenarioFaultTest, RefusesARailSectionBeyondTheTrack) {
   const std::vector<std::string> lines = faults({{"rail_sections.0.to_km", "12"}}, "scenarios/wet_stretch.yaml");
   ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
-  EXPECT_NE(lines[0].find("rail_sections.0.to_km = 12: is beyond the track, 0 to 10 km"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find("rail_sections.0.to_km = 12: is beyond the track, 0 to 10 km"), std::string::npos)
+      << lines[0];
 }
 
 TEST_F(ScenarioFaultTest, RefusesContactOptionsInATrainThatHasNoContacts) {

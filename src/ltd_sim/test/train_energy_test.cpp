@@ -60,7 +60,8 @@ TEST(TrainEnergyTest, AccountClosesOnTheLevelAndItsResidualFallsToAQuarterWithTh
 }
 
 TEST(TrainEnergyTest, AccountClosesOnAGradeAndItsResidualFallsToAQuarterWithTheStepHalved) {
-  // Heights are taken where works and speeds are, H v/2 behind s (T9): at s the residual would be of first order, 1.5e-5.
+  // Heights are taken where works and speeds are, H v/2 behind s (T9): at s the residual would be of first
+  // order, 1.5e-5.
   const double at_2ms = Journey(0.002, kPermille).account().residualRelative();
   const double at_1ms = Journey(0.001, kPermille).account().residualRelative();
   EXPECT_LT(std::abs(at_2ms), 1e-6);
@@ -97,8 +98,7 @@ TEST(TrainEnergyTest, RotaryInertiaCountsInTheKineticEnergyAndNotInTheWeight) {
   rig.dynamics.updateStoredEnergies(rig.state);
   EXPECT_NEAR(rig.state.account.kinetic, 0.5 * (164e3 + 2 * 123e3) * 36.0, 1e-6);
   const double behind_m = 0.5 * 0.002 * 6.0;  // (T9)
-  const double weight_moment =
-      134e3 * (3000.0 - behind_m) + 120e3 * (2981.5 - behind_m) + 120e3 * (2966.5 - behind_m);
+  const double weight_moment = 134e3 * (3000.0 - behind_m) + 120e3 * (2981.5 - behind_m) + 120e3 * (2966.5 - behind_m);
   EXPECT_NEAR(rig.state.account.potential, 9.81 * 0.01 * weight_moment, 1e-4);  // height = 0.01 (s - 0)
 }
 

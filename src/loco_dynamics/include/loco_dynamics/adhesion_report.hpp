@@ -12,17 +12,17 @@ namespace loco {
 /// What one axle does at the end of a macro step, in its last micro step. Forces act on the wheelset; a wheel's are
 /// left, right.
 struct AxleAdhesion {
-  double creep = 0.0;                       ///< (omega r - v)/max(v, 0.5 m/s), r nominal [-]; > 0 driving
-  double adhesion = 0.0;                    ///< used: force along the track over normal force [-]; > 0 driving
-  double friction = 0.0;                    ///< what the rail offers: mu at this slip speed [-]
-  double static_friction = 0.0;             ///< what it would offer without slip: mu0 of the rail at this place [-]
-  double normal_force_N = 0.0;              ///< of both wheels, >= 0
-  double force_N = 0.0;                     ///< of both wheels along the track, + forward
-  double torque_reference_N_m = 0.0;        ///< asked for, before control; on the wheelset, + driving forward
-  double torque_N_m = 0.0;                  ///< applied
-  bool controlled = false;                  ///< the controller takes torque away
-  double frictional_power_W = 0.0;          ///< lost to slip in the contacts, >= 0
-  double t_gamma_N = 0.0;                   ///< sum of |F_x xi_x + F_y xi_y| over the contacts, energy lost per distance [N = J/m]
+  double creep = 0.0;                 ///< (omega r - v)/max(v, 0.5 m/s), r nominal [-]; > 0 driving
+  double adhesion = 0.0;              ///< used: force along the track over normal force [-]; > 0 driving
+  double friction = 0.0;              ///< what the rail offers: mu at this slip speed [-]
+  double static_friction = 0.0;       ///< what it would offer without slip: mu0 of the rail at this place [-]
+  double normal_force_N = 0.0;        ///< of both wheels, >= 0
+  double force_N = 0.0;               ///< of both wheels along the track, + forward
+  double torque_reference_N_m = 0.0;  ///< asked for, before control; on the wheelset, + driving forward
+  double torque_N_m = 0.0;            ///< applied
+  bool controlled = false;            ///< the controller takes torque away
+  double frictional_power_W = 0.0;    ///< lost to slip in the contacts, >= 0
+  double t_gamma_N = 0.0;  ///< sum of |F_x xi_x + F_y xi_y| over the contacts, energy lost per distance [N = J/m]
   double vertical_force_N[2] = {0.0, 0.0};  ///< up, of all contacts of the wheel
   double lateral_force_N[2] = {0.0, 0.0};   ///< + to the left
 };
@@ -31,10 +31,10 @@ struct AxleAdhesion {
 /// z outward rail normal). Forces act on the wheel. Models whose wheelsets stay in the middle of the track report none:
 /// both wheels have one contact, and both are alike.
 struct ContactAdhesion {
-  std::uint8_t axle = 0;                           ///< from 1 at the front
-  bool right = false;                              ///< of the right wheel
+  std::uint8_t axle = 0;                   ///< from 1 at the front
+  bool right = false;                      ///< of the right wheel
   double x_m = 0.0, y_m = 0.0, z_m = 0.0;  ///< ahead of the axle, left of the track's centre, above the rails
-  double angle_rad = 0.0;                          ///< of the contact plane about x; n = (0, -sin, cos)
+  double angle_rad = 0.0;                  ///< of the contact plane about x; n = (0, -sin, cos)
   double rolling_radius_m = 0.0;
   double a_m = 0.0, b_m = 0.0;        ///< semi-axes along x, across
   double normal_force_N = 0.0;        ///< >= 0

@@ -49,8 +49,9 @@ struct LocoDetails {
 LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, double vehicle_mass_kg);
 
 /// Makes the locomotive whose map stands at the dotted path `key` of a resolved scenario, e.g. train.groups.0.vehicle,
-/// with the model that its group or the scenario's root names and the options that the root gives. The whole scenario has been checked by its reader; what
-/// is needed here is checked again and goes to `problems`, then the result is null.
+/// with the model that its group or the scenario's root names and the options that the root gives. The whole scenario
+/// has been checked by its reader; what is needed here is checked again and goes to `problems`, then the result is
+/// null.
 std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const std::string& key,
                                            rail::Problems& problems);
 

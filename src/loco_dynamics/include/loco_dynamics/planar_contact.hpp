@@ -1,7 +1,7 @@
 #pragma once
 
-#include "loco_dynamics/contact/rail_conditions.hpp"
 #include "loco_dynamics/contact/hertz.hpp"
+#include "loco_dynamics/contact/rail_conditions.hpp"
 #include "rail_core/yaml_reader.hpp"
 
 namespace loco {
@@ -46,7 +46,6 @@ class PlanarContact {
   AxleForce computeAxleForce(double normal_N, double slip_mps, double v_mps, double location_m) const;
 
  private:
-
   Parameters parameters_;
   HertzContact hertz_;
   KalkerCoefficients kalker_;

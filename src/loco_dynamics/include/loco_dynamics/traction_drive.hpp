@@ -12,8 +12,8 @@
 namespace loco {
 
 /// Motors and adhesion control of a locomotive with bodies: from LTD's traction reference to a torque on each wheelset
-/// and its reaction, a couple on the bogie frame. Constant but for what the axles did last; its state is in the caller's
-/// hands.
+/// and its reaction, a couple on the bogie frame. Constant but for what the axles did last; its state is in the
+/// caller's hands.
 class TractionDrive {
  public:
   TractionDrive(const LocoStructure& structure, const adhesion::ControlParameters& control, double adhesion_limit,

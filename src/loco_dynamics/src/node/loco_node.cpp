@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "loco_dynamics/node/conversions.hpp"
 #include "loco_dynamics/loco_factory.hpp"
+#include "loco_dynamics/node/conversions.hpp"
 #include "rail_core/build_id.hpp"
 #include "rail_core/digest.hpp"
 

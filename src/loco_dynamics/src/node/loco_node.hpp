@@ -9,8 +9,8 @@
 #include <mutex>
 #include <string>
 
-#include "loco_dynamics/node/immediate_queue.hpp"
 #include "loco_dynamics/loco_session.hpp"
+#include "loco_dynamics/node/immediate_queue.hpp"
 
 namespace loco {
 

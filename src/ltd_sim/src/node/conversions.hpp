@@ -17,7 +17,8 @@ using loco::toStamp;
 /// Meaning of a bag's topics and fields; counts up when one changes.
 inline constexpr std::uint32_t kBagFormatVersion = 2;
 
-/// Telemetry of the train and its description, field by field. The messages of the lock: loco_dynamics/node/conversions.hpp.
+/// Telemetry of the train and its description, field by field. The messages of the lock:
+/// loco_dynamics/node/conversions.hpp.
 void toMsg(const Scenario& scenario, const TrainState& state, const TrainForces& forces, train_msgs::TrainState& msg);
 void toMsg(const Scenario& scenario, const TrainState& state, train_msgs::TrainEnergy& msg);
 train_msgs::RunConfiguration toMsg(const Scenario& scenario, std::uint64_t run_id);

@@ -12,7 +12,8 @@
 namespace ltd {
 
 /// Publishes a run as it goes, at the scenario's telemetry interval in simulation time: /train/state, /train/energy,
-/// /clock and, for locomotives with wheels, /loco_i/adhesion, all of committed steps; /train/configuration once. All but the clock are latched, so that a held train shows its last state.
+/// /clock and, for locomotives with wheels, /loco_i/adhesion, all of committed steps; /train/configuration once. All
+/// but the clock are latched, so that a held train shows its last state.
 class TelemetryPublisher : public RunObserver {
  public:
   TelemetryPublisher(const Scenario& scenario, std::uint64_t run_id);
