@@ -21,6 +21,19 @@ struct TrackPoint {
   double height_m = 0.0;         ///< integral of the grade from the track's start [m]
 };
 
+/// The track at one place in the frame of another, in plan.                                               (T1)
+///   heading = integral of kappa from `from` to `to`,   lateral = integral of the heading, for small headings
+struct TrackStretch {
+  double heading_rad = 0.0;  ///< of the tangent there against that here, + to the left
+  double lateral_m = 0.0;    ///< of the centre line there from the tangent here, + to the left
+};
+
+/// Cant with its run-offs rounded off.
+struct TrackCant {
+  double left_m = 0.0;  ///< height of the left rail over the right: < 0 in a canted curve to the left
+  double slope = 0.0;   ///< d(left_m)/ds [-]
+};
+
 /// The line in plan and profile, by chainage s [m] in running direction. Constant after reading.
 ///
 /// Between its break points grade, curvature and cant are linear in s (so a linear ramp of curvature is a clothoid),
@@ -54,6 +67,19 @@ class Track {
   /// The same without a memory, by binary search: for plots and tests.
   TrackPoint at(double s_m) const;
 
+  /// Where the track goes from one place to another, before or behind it: exact on every piece. `hint` as above, for
+  /// the place `from_m`. Does not allocate.
+  TrackStretch stretch(double from_m, double to_m, std::size_t& hint) const;
+
+  /// Cant as the mean over a window about s: a linear ramp bends gradually over the window's length, and what runs over
+  /// it feels no impulse. Which rail is the outer one says the curvature; a piece that is straight goes with the curve
+  /// ahead, or behind if there is none ahead. `hint` as above.
+  /// @param window_m  > 0
+  TrackCant cant(double s_m, double window_m, std::size_t& hint) const;
+
+  /// False if no place has cant.
+  bool canted() const { return canted_; }
+
   const std::string& name() const { return name_; }
   double start_m() const { return start_m_; }
   double end_m() const { return end_m_; }
@@ -69,7 +95,10 @@ class Track {
     double cant_m, cant_slope;
     double speed_limit_mps;
     double height_m;
+    double left_cant_m, left_cant_slope;  ///< height of the left rail over the right
+    double left_cant_integral_m2;         ///< from the track's start
   };
+  void buildCant();
   void build(const TrackProfile& profile);
   std::size_t findPiece(double s_m, std::size_t hint) const;
   std::pair<double, double> gradeExtremes() const;
@@ -77,6 +106,7 @@ class Track {
   std::string name_;
   double start_m_ = 0.0, end_m_ = 0.0;
   std::vector<Piece> pieces_;
+  bool canted_ = false;
 };
 
 }  // namespace rail
