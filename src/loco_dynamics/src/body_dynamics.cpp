@@ -1,5 +1,6 @@
 #include "loco_dynamics/body_dynamics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -35,6 +36,27 @@ void BodyDynamics::unpack(const double* in, BodyState& state) const {
   }
   state.damper_x_m.resize(suspension_.yaw_dampers.size());
   for (double& x : state.damper_x_m) x = *in++;
+}
+
+std::vector<BodyPose> BodyDynamics::computePoses(const double* in) const {
+  BodyState state;
+  unpack(in, state);
+  std::vector<BodyPose> poses;
+  for (std::size_t i = 0; i < layout_.bodies().size(); ++i) {
+    const Body& body = layout_.bodies()[i];
+    const auto& q = state.q[i];
+    BodyPose pose;
+    pose.name = body.name;
+    std::replace(pose.name.begin(), pose.name.end(), ' ', '_');
+    pose.location_m = body.p_T.x() + q[kX];
+    pose.y_m = body.p_T.y() + q[kY];
+    pose.z_m = body.p_T.z() + q[kZ];
+    pose.roll_rad = q[kRoll];
+    pose.pitch_rad = q[kPitch];
+    pose.yaw_rad = q[kYaw];
+    poses.push_back(pose);
+  }
+  return poses;
 }
 
 void BodyDynamics::addInnerForces(BodyState& state, double h, BodyVector& loads) {

@@ -45,4 +45,11 @@ void Loco1d::step(const std::vector<double>& state, const LocoForce& force, Loco
   answer.failure.clear();
 }
 
+std::vector<BodyPose> Loco1d::computePoses(const std::vector<double>& state) const {
+  BodyPose pose;
+  pose.name = "car_body";
+  pose.location_m = state[0];
+  return {pose};
+}
+
 }  // namespace loco

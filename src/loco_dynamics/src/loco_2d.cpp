@@ -117,6 +117,10 @@ void Loco2d::step(const std::vector<double>& state, const LocoForce& force, Loco
   answer.location_m = dynamics_.centreOfGravity(state_.q);
 }
 
+std::vector<BodyPose> Loco2d::computePoses(const std::vector<double>& state) const {
+  return dynamics_.computePoses(state.data());
+}
+
 void Loco2d::addOuterForces(const LocoForce& force, BodyVector& loads) const {
   const LocoStructure& s = parameters_.structure;
   const double z = s.coupler_z_m - s.bodies[BodyLayout::kCar].p_T.z();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "loco_dynamics/body_layout.hpp"
+#include "loco_dynamics/locomotive.hpp"
 #include "loco_dynamics/suspension.hpp"
 
 namespace loco {
@@ -31,6 +32,8 @@ class BodyDynamics {
   std::size_t stateSize() const { return 2 * layout_.size() + suspension_.yaw_dampers.size(); }
   void pack(const BodyState& state, double* out) const;
   void unpack(const double* in, BodyState& state) const;
+  /// Where the bodies stand in a packed state.
+  std::vector<BodyPose> computePoses(const double* in) const;
 
   /// Adds gravity and the suspension's forces at this state; see addSuspensionForces for damper_x_m.
   void addInnerForces(BodyState& state, double h, BodyVector& loads);

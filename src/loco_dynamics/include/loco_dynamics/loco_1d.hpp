@@ -21,6 +21,8 @@ class Loco1d : public Locomotive {
   std::size_t stateSize() const override { return 2; }
   std::vector<double> equilibriumState(double location_m, double speed_mps) const override;
   void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
+  /// The car body alone, at no height: this model has none.
+  std::vector<BodyPose> computePoses(const std::vector<double>& state) const override;
 
  private:
   Parameters parameters_;

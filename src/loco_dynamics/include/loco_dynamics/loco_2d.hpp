@@ -32,6 +32,7 @@ class Loco2d : public Locomotive {
   std::size_t stateSize() const override;
   std::vector<double> equilibriumState(double location_m, double speed_mps) const override;
   void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
+  std::vector<BodyPose> computePoses(const std::vector<double>& state) const override;
 
   /// Energies of the last macro step [J], for the locomotive's account:
   ///   motors + outer = d(kinetic) + d(stored) + dampers + slip + contact_damping + residual

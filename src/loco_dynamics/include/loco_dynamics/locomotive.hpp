@@ -1,10 +1,20 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "loco_dynamics/exchange.hpp"
 
 namespace loco {
+
+/// Where a body stands, in the track frame T at its own chainage (x forward, y left, z up, origin between the rail
+/// tops).
+struct BodyPose {
+  std::string name;         ///< in words that make a tf frame: car_body, bogie_frame_1, wheelset_1 ...
+  double location_m = 0.0;  ///< chainage of its CoG
+  double y_m = 0.0, z_m = 0.0;
+  double roll_rad = 0.0, pitch_rad = 0.0, yaw_rad = 0.0;  ///< small but a wheelset's pitch, which is its spin angle
+};
 
 /// One locomotive's dynamics between two exchanges with the train: the interface that the 1D, 2D and 3D models
 /// implement. A locomotive is a pure function (s_k, F_k) -> (s_k+1, answer): the object holds constants and scratch
@@ -25,6 +35,9 @@ class Locomotive {
   /// @param answer  everything is overwritten; answer.state becomes s_k+1, answer.failure says why the model cannot go
   ///                on (then the rest does not hold). Does not throw; allocates only if answer.state is too small.
   virtual void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) = 0;
+
+  /// Where its bodies stand in this state, for people to look at.
+  virtual std::vector<BodyPose> computePoses(const std::vector<double>& state) const = 0;
 };
 
 }  // namespace loco

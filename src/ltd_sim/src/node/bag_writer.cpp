@@ -8,7 +8,7 @@
 namespace ltd {
 
 BagWriter::BagWriter(const Scenario& scenario, const std::string& folder, std::uint64_t run_id)
-    : scenario_(scenario), run_id_(run_id), bag_(std::make_unique<rosbag::Bag>()) {
+    : scenario_(scenario), run_id_(run_id), frames_(scenario), bag_(std::make_unique<rosbag::Bag>()) {
   const std::string path = folder + "/" + scenario.name + ".bag";
   makeDirectories(folder);
   try {
@@ -46,6 +46,7 @@ void BagWriter::onStep(const StepRecord& record) {
   forces_ = &record.forces;
   if (scenario_.output.record_exchange) writeExchange(record);
   const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(record.after.step) * scenario_.macro_step;
+  if (t % scenario_.output.timeseries_interval == 0) bag_->write("/tf", toStamp(t), frames_.compute(record));
   if (t % scenario_.output.telemetry_interval != 0) return;
   writeTelemetry(record.after, record.forces);
   writeAdhesion(t, record.answers);

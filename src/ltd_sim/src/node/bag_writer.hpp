@@ -11,15 +11,16 @@
 #include <string>
 #include <vector>
 
+#include "body_frames.hpp"
 #include "ltd_sim/run_observer.hpp"
 
 namespace ltd {
 
 /// Writes a run's bag: /train/configuration first, /train/state, /train/energy and /loco_i/adhesion at the telemetry
-/// interval, and, if the scenario says record_exchange, every committed /loco_i/force and /loco_i/traction. Offline and
-/// graph write the same payloads; the ids of a session (epoch, incarnation) are left 0. A recorded traction message
-/// goes without the locomotive's state and without what /loco_i/adhesion says: the forces are enough to repeat a
-/// locomotive's run.
+/// interval, /tf at that of the time series (tf interpolates), and, if the scenario says record_exchange, every
+/// committed /loco_i/force and /loco_i/traction. Offline and graph write the same payloads; the ids of a session
+/// (epoch, incarnation) are left 0. A recorded traction message goes without the locomotive's state and without what
+/// /loco_i/adhesion says: the forces are enough to repeat a locomotive's run.
 class BagWriter : public RunObserver {
  public:
   /// Opens `folder`/SCENARIO.bag. @throws std::runtime_error with path and reason.
@@ -36,6 +37,7 @@ class BagWriter : public RunObserver {
 
   const Scenario& scenario_;
   std::uint64_t run_id_;
+  BodyFrames frames_;
   const TrainForces* forces_ = nullptr;  ///< of the last step; the co-simulation's
   ros::Time written_;                    ///< stamp of the last telemetry
   std::unique_ptr<rosbag::Bag> bag_;

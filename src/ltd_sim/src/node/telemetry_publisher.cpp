@@ -9,7 +9,7 @@
 namespace ltd {
 
 TelemetryPublisher::TelemetryPublisher(const Scenario& scenario, std::uint64_t run_id)
-    : scenario_(scenario), run_id_(run_id) {
+    : scenario_(scenario), run_id_(run_id), frames_(scenario) {
   configuration_ = node_.advertise<train_msgs::RunConfiguration>("train/configuration", 1, true);
   state_ = node_.advertise<train_msgs::TrainState>("train/state", 100, true);
   energy_ = node_.advertise<train_msgs::TrainEnergy>("train/energy", 100, true);
@@ -18,6 +18,7 @@ TelemetryPublisher::TelemetryPublisher(const Scenario& scenario, std::uint64_t r
     if (loco::hasContacts(scenario.train.locomotives[i].model))
       adhesion_[i] = node_.advertise<train_msgs::Adhesion>("loco_" + std::to_string(i + 1) + "/adhesion", 100, true);
   }
+  tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10);
   clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 100);
 }
 
@@ -39,6 +40,15 @@ void TelemetryPublisher::onStep(const StepRecord& record) {
     adhesion_[i].publish(adhesion_msg_);
   }
   publishClock(t);
+  publishFrames(record);
+}
+
+void TelemetryPublisher::publishFrames(const StepRecord& record) {
+  constexpr std::chrono::milliseconds kFrameInterval(33);
+  const auto now = std::chrono::steady_clock::now();
+  if (now - frames_sent_ < kFrameInterval) return;
+  frames_sent_ = now;
+  tf_.publish(frames_.compute(record));
 }
 
 void TelemetryPublisher::publishClock(rail::Nanoseconds t) {

@@ -5,14 +5,17 @@
 #include <train_msgs/TrainEnergy.h>
 #include <train_msgs/TrainState.h>
 
+#include <chrono>
 #include <vector>
 
+#include "body_frames.hpp"
 #include "ltd_sim/run_observer.hpp"
 
 namespace ltd {
 
 /// Publishes a run as it goes, at the scenario's telemetry interval in simulation time: /train/state, /train/energy,
-/// /clock and, for locomotives with wheels, /loco_i/adhesion, all of committed steps; /train/configuration once. All
+/// /clock and, for locomotives with wheels, /loco_i/adhesion, all of committed steps; /train/configuration once; /tf no
+/// more than 30 times a second of wall time, for eyes. All
 /// but the clock are latched, so that a held train shows its last state.
 class TelemetryPublisher : public RunObserver {
  public:
@@ -22,11 +25,14 @@ class TelemetryPublisher : public RunObserver {
 
  private:
   void publishClock(rail::Nanoseconds t);
+  void publishFrames(const StepRecord& record);
 
   const Scenario& scenario_;
   std::uint64_t run_id_;
+  BodyFrames frames_;
+  std::chrono::steady_clock::time_point frames_sent_;
   ros::NodeHandle node_;
-  ros::Publisher configuration_, state_, energy_, clock_;
+  ros::Publisher configuration_, state_, energy_, clock_, tf_;
   std::vector<ros::Publisher> adhesion_;  ///< per locomotive; empty where there is nothing to say
   train_msgs::TrainState state_msg_;
   train_msgs::TrainEnergy energy_msg_;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <tf2_msgs/TFMessage.h>
+
+#include <memory>
+#include <vector>
+
+#include "loco_dynamics/locomotive.hpp"
+#include "ltd_sim/run_observer.hpp"
+#include "rail_core/world_track.hpp"
+
+namespace ltd {
+
+/// Frames of all locomotives for tf, from the states of committed steps (REP-103, REP-105):
+///   map                 the world: origin at the track's start on the rail tops, x along the track there, z up
+///   loco_i/base_link    the track frame at the locomotive's CoG
+///   loco_i/car_body, loco_i/bogie_frame_1, loco_i/wheelset_1 ...   bodies at their CoGs, children of base_link
+class BodyFrames {
+ public:
+  explicit BodyFrames(const Scenario& scenario);
+  /// @return transforms of all locomotives at the end of the step; valid until the next call
+  const tf2_msgs::TFMessage& compute(const StepRecord& record);
+
+ private:
+  rail::WorldTrack track_;
+  rail::Nanoseconds macro_step_;
+  std::vector<std::unique_ptr<loco::Locomotive>> locomotives_;  ///< to read states, not to compute
+  tf2_msgs::TFMessage msg_;
+};
+
+}  // namespace ltd
