@@ -116,10 +116,10 @@ def _draw_torque(axes: Axes, wheels: Adhesion) -> None:
     demand = wheels.torque_demanded_N_m / 1e3
     if np.ptp(demand, axis=1).max() <= 1e-6 * np.abs(demand).max():
         axes.plot(wheels.location_km, demand[:, 0], color='black', linestyle=':', linewidth=1.8,
-                  label='torque demanded of each axle')
+                  label='torque demanded')
     else:
         for axle in range(wheels.axles):
-            axes.plot(wheels.location_km, demand[:, axle], ':', label=f'torque demanded of axle {axle + 1}',
+            axes.plot(wheels.location_km, demand[:, axle], ':', label=f'demanded, axle {axle + 1}',
                       **plot_style.axle_style(axle))
 
 
