@@ -64,7 +64,7 @@ class AdhesionFiguresTest(unittest.TestCase):
             for points, name in ((friction, 'friction'), (adhesion, 'adhesion')):
                 np.testing.assert_allclose(points.get_offsets(), np.column_stack(
                     [100.0 * self.axles['creep'][:, axle], self.axles[name][:, axle]]), rtol=1e-12)
-            np.testing.assert_allclose(adhesion.get_array(), 3.6 * self.written['speed'], rtol=1e-12)
+                np.testing.assert_allclose(points.get_array(), 3.6 * self.written['speed'], rtol=1e-12)
             self.assertEqual([line.get_xdata()[0] for line in axes.get_lines()], [100.0 * 0.07])
         self.assertEqual(figure.axes[-1].get_ylabel(), 'speed [km/h]')
         self.assertEqual(figure._supxlabel.get_text(), 'creep [%]')

@@ -11,7 +11,6 @@ from train_viz.adhesion import Adhesion, true_stretches
 from train_viz.resolved_scenario import read_slip_limit
 from train_viz.run import Run
 
-FRICTION_COLOUR = '0.72'
 RACING = 1.0  # creep [-], chosen: beyond it a linear axis hides the part that the wheels should stay in
 LINEAR_TO_PERCENT = 10.0  # chosen: holds every usual slip limit
 LIMIT_STYLE = {'color': 'black', 'linestyle': '--', 'linewidth': 1.2}
@@ -46,17 +45,16 @@ def draw_adhesion_creep(run: Run) -> Figure:
     figure.supxlabel('creep [%]' + (f'   (logarithmic beyond {LINEAR_TO_PERCENT:g} %)' if _races(wheels) else ''), fontsize=12)
     figure.supylabel('coefficient of adhesion or friction [-]', fontsize=12)
     figure.suptitle(f'Adhesion over creep, {_whose(run)}')
-    plot_style.legend_below(figure, panels[0, 0], marker_scale=3.0)
+    plot_style.legend_below(figure, panels[0, 0], marker_scale=2.0)
     return figure
 
 
 def _draw_axle(axes: Axes, wheels: Adhesion, axle: int):
     """Points as an image, also in the SVG: there are tens of thousands of them."""
     creep = 100.0 * wheels.creep[:, axle]
-    axes.scatter(creep, wheels.friction[:, axle], s=2.0, color=FRICTION_COLOUR, rasterized=True,
-                 label='friction offered at the slip')
-    return axes.scatter(creep, wheels.adhesion[:, axle], s=5.0, c=wheels.speed_kmph, cmap='viridis', rasterized=True,
-                        label='adhesion used (colour: speed)')
+    style = {'c': wheels.speed_kmph, 'cmap': 'viridis', 'linewidths': 0.0, 'rasterized': True}
+    axes.scatter(creep, wheels.friction[:, axle], s=2.0, label='thin: friction offered at the slip', **style)
+    return axes.scatter(creep, wheels.adhesion[:, axle], s=11.0, label='thick: adhesion used', **style)
 
 
 def _races(wheels: Adhesion) -> bool:
