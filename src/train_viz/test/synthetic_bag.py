@@ -71,7 +71,7 @@ def state_message(rows: Dict[str, np.ndarray], i: int, couplers: np.ndarray, loc
 
 
 def axle_columns(rows: Dict[str, np.ndarray]) -> Dict[str, np.ndarray]:
-    """What the axles do, [row, axle] by field of AxleAdhesion: the front ones lighter, creep rising with adhesion to the limit."""
+    """[row, axle] by field of AxleAdhesion: the front axles are lighter, creep rises with adhesion up to the limit."""
     axle = np.arange(AXLES)
     load = np.tile(LOCO_KG * 9.81 / AXLES * (1.0 + 0.02 * (axle - (AXLES - 1) / 2.0)), (len(rows['time']), 1))
     share = rows['traction'][:, None] / AXLES

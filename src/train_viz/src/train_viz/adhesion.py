@@ -7,7 +7,7 @@ import numpy as np
 
 @dataclasses.dataclass(frozen=True)
 class Adhesion:
-    """One locomotive's wheels on the rail in rows of equal simulation time; SI units, signs as in train_msgs/AxleAdhesion."""
+    """One locomotive's wheels on the rail in rows of simulation time; SI units, signs as in AxleAdhesion.msg."""
     locomotive: int                   # counted from 1 at the head of the train
     time_s: np.ndarray                # since the start of the run
     location_m: np.ndarray            # chainage of this locomotive
@@ -48,7 +48,7 @@ def join_adhesion(parts: List[Adhesion]) -> Adhesion:
 
 
 def true_stretches(place: np.ndarray, flags: np.ndarray) -> List[Tuple[float, float]]:
-    """Where flags are true: from the place of a stretch's first row as far as the row that follows its last, as (from, length)."""
+    """Where flags are true, as (from, length): from a stretch's first row as far as the row that follows its last."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], flags.astype(bool), [False])).astype(int)))
     ends = np.minimum(edges[1::2], len(place) - 1)
     return [(float(place[first]), float(place[end] - place[first])) for first, end in zip(edges[0::2], ends)]

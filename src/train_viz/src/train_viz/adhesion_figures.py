@@ -42,7 +42,8 @@ def draw_adhesion_creep(run: Run) -> Figure:
     plot_style.start_at_zero(panels[0, 0])
     bar = figure.colorbar(points, ax=panels, pad=0.02)
     bar.set_label('speed [km/h]')
-    figure.supxlabel('creep [%]' + (f'   (logarithmic beyond {LINEAR_TO_PERCENT:g} %)' if _races(wheels) else ''), fontsize=12)
+    scale = f'   (logarithmic beyond {LINEAR_TO_PERCENT:g} %)' if _races(wheels) else ''
+    figure.supxlabel(f'creep [%]{scale}', fontsize=12)
     figure.supylabel('coefficient of adhesion or friction [-]', fontsize=12)
     figure.suptitle(f'Adhesion over creep, {_whose(run)}')
     plot_style.legend_below(figure, panels[0, 0], marker_scale=2.0)
@@ -152,7 +153,7 @@ def _finish_place_panels(figure: Figure, panels: np.ndarray, run: Run, title: st
 
 
 def draw_friction_adhesion(runs: List[Run]) -> Optional[Figure]:
-    """Static friction, friction at the slip and adhesion used over place; as Fig. 7. None if no run has wheels on the rail."""
+    """Static friction, friction at the slip and adhesion used over place; as Fig. 7. None for runs without wheels."""
     shown = [(i, run) for i, run in enumerate(runs) if run.adhesion is not None]
     if not shown:
         return None

@@ -153,6 +153,7 @@ def _make_adhesion(path: str, locomotive: Optional[int], wheels: Rows) -> Option
     try:
         location_m, speed_mps, axles = (np.array(column, dtype=float) for column in zip(*(wheels[s] for s in stamps)))
     except ValueError:  # ragged
-        raise ReportError(f'{path}: the number of axles of locomotive {locomotive} changes within the bag: simulate again') from None
+        raise ReportError(f'{path}: the number of axles of locomotive {locomotive} changes within the bag: '
+                          'simulate again') from None
     return Adhesion(locomotive=locomotive, time_s=(np.array(stamps) - FIRST_STAMP_NS) / 1e9, location_m=location_m,
                     speed_mps=speed_mps, **{name: axles[:, :, i] for i, name in enumerate(AXLE_COLUMNS)})
