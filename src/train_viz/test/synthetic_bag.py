@@ -3,18 +3,20 @@
 `python3 synthetic_bag.py DIR` writes full-length bags like the paper's three simulations, to look at the figures.
 """
 import sys
-from typing import Dict, Optional
+from typing import Dict, Optional, Sequence
 
 import genpy
 import numpy as np
 import rosbag
-from train_msgs.msg import RunConfiguration, TrainEnergy, TrainState
+from train_msgs.msg import Adhesion, AxleAdhesion, RunConfiguration, TrainEnergy, TrainState
 
 PERIOD_S = 0.02  # telemetry at 50 Hz of simulation time
 LOCO_KG, WAGON_KG = 134e3, 120e3
+AXLES, WHEEL_RADIUS_M, SLIP_LIMIT = 6, 0.5335, 0.07
 
 RESOLVED = '''
 name: %(scenario)s
+control: {law: pi, slip_limit: 0.07}
 train:
   groups:
     - {count: %(locos)d, vehicle: {mass_kg: 134000, adhesion_limit: 0.35}}
@@ -68,6 +70,28 @@ def state_message(rows: Dict[str, np.ndarray], i: int, couplers: np.ndarray, loc
     return m
 
 
+def axle_columns(rows: Dict[str, np.ndarray]) -> Dict[str, np.ndarray]:
+    """[row, axle] by field of AxleAdhesion: the front axles are lighter, creep rises with adhesion up to the limit."""
+    axle = np.arange(AXLES)
+    load = np.tile(LOCO_KG * 9.81 / AXLES * (1.0 + 0.02 * (axle - (AXLES - 1) / 2.0)), (len(rows['time']), 1))
+    share = rows['traction'][:, None] / AXLES
+    adhesion = share / load
+    creep = np.minimum(SLIP_LIMIT, 0.7 * adhesion ** 2)
+    slip_mps = creep * rows['speed'][:, None]
+    applied = share * WHEEL_RADIUS_M * np.ones(AXLES)
+    taken = np.where(creep >= 0.05, 1e3 * (1.0 + axle), 0.0)
+    return {'creep': creep, 'adhesion': adhesion, 'friction': 0.35 * (0.6 * np.exp(-0.275 * slip_mps) + 0.4),
+            'static_friction': np.full_like(load, 0.35), 'normal_force': load, 'force': share * np.ones(AXLES),
+            'torque_demanded': applied + taken, 'torque_applied': applied, 'controller_active': taken > 0.0,
+            'frictional_power': share * slip_mps, 't_gamma': share * creep}
+
+
+def adhesion_message(rows: Dict[str, np.ndarray], axles: Dict[str, np.ndarray], i: int, locomotive: int) -> Adhesion:
+    m = Adhesion(location=rows['location'][i] - 22.0 * (locomotive - 1), speed=rows['speed'][i])
+    m.axles = [AxleAdhesion(**{name: values[i, axle] for name, values in axles.items()}) for axle in range(AXLES)]
+    return m
+
+
 def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: int) -> TrainEnergy:
     m = TrainEnergy()
     m.loco_energy_rail, m.loco_energy_rim = [rows['work'][i]] * locos, [rows['rim'][i]] * locos
@@ -82,9 +106,14 @@ def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: i
 
 
 def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: int = 5, run_id: int = 1,
-              resolved: Optional[str] = None, format_version: int = 1, rows_from: int = 0, **simulation) -> Dict:
-    """Writes a bag and returns what it holds: simulate()'s columns and the coupler forces."""
+              resolved: Optional[str] = None, format_version: int = 2, rows_from: int = 0, with_wheels: Sequence[int] = (),
+              **simulation) -> Dict:
+    """Writes a bag and returns what it holds: simulate()'s columns, the coupler forces and the axles' columns.
+
+    @param with_wheels locomotives, from 1, that have an adhesion topic
+    """
     rows = simulate(locos, wagons, **simulation)
+    axles = axle_columns(rows)
     couplers = coupler_forces(rows['time'], rows['traction'], locos, wagons)
     configuration = RunConfiguration(format_version=format_version, build_id='test', run_id=run_id, scenario=scenario)
     configuration.resolved = RESOLVED % locals() if resolved is None else resolved
@@ -94,14 +123,16 @@ def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: in
             stamp = genpy.Time(nsecs=10**9 + i * 20_000_000)  # stamps start at 1 s
             if i == rows_from:
                 bag.write('/train/configuration', configuration, stamp)
-            for topic, message in (('/train/state', state_message(rows, i, couplers, locos)),
-                                   ('/train/energy', energy_message(rows, i, mass, locos))):
+            messages = [('/train/state', state_message(rows, i, couplers, locos)),
+                        ('/train/energy', energy_message(rows, i, mass, locos))]
+            messages += [(f'/loco_{n}/adhesion', adhesion_message(rows, axles, i, n)) for n in with_wheels]
+            for topic, message in messages:
                 message.header.stamp = stamp
                 bag.write(topic, message, stamp)
-    return dict(rows, coupler_force=couplers)
+    return dict(rows, coupler_force=couplers, axles=axles)
 
 
 if __name__ == '__main__':
     write_bag(f'{sys.argv[1]}/1d.bag', 'paper_1d', wagons=105, run_id=1)
-    write_bag(f'{sys.argv[1]}/2d.bag', 'paper_2d', wagons=105, run_id=2, limit_N=400e3, slip=0.075)
-    write_bag(f'{sys.argv[1]}/3d.bag', 'paper_3d', wagons=105, run_id=3, limit_N=416e3, slip=0.07)
+    write_bag(f'{sys.argv[1]}/2d.bag', 'paper_2d', wagons=105, run_id=2, limit_N=400e3, slip=0.075, with_wheels=(1, 2, 3))
+    write_bag(f'{sys.argv[1]}/3d.bag', 'paper_3d', wagons=105, run_id=3, limit_N=416e3, slip=0.07, with_wheels=(1, 2, 3))

@@ -84,6 +84,39 @@ class BagReaderTest(unittest.TestCase):
         self.assertNotIn('loco_energy_rail', run.account)
         self.assertTrue(run.rim_differs())
 
+    def test_adhesion_is_that_of_the_first_locomotive_with_the_topic(self):
+        written = write_bag(self.path, duration_s=5.0, with_wheels=(3, 2))
+        adhesion = read_bag(self.path).adhesion
+        self.assertEqual((adhesion.locomotive, adhesion.axles), (2, 6))
+        np.testing.assert_array_equal(adhesion.time_s, written['time'].round(9))
+        np.testing.assert_array_equal(adhesion.location_m, written['location'] - 22.0)
+        np.testing.assert_array_equal(adhesion.speed_mps, written['speed'])
+        for name, column in (('creep', 'creep'), ('adhesion', 'adhesion'), ('friction', 'friction'),
+                             ('static_friction', 'static_friction'), ('normal_force_N', 'normal_force'),
+                             ('torque_demanded_N_m', 'torque_demanded'), ('torque_applied_N_m', 'torque_applied'),
+                             ('controller_active', 'controller_active'), ('frictional_power_W', 'frictional_power'),
+                             ('t_gamma_N', 't_gamma')):
+            np.testing.assert_array_equal(getattr(adhesion, name), written['axles'][column], err_msg=name)
+
+    def test_run_of_1d_locomotives_has_no_adhesion(self):
+        write_bag(self.path, duration_s=1.0)
+        self.assertIsNone(read_bag(self.path).adhesion)
+
+    def test_other_definition_of_adhesion_is_refused(self):
+        write_bag(self.path, duration_s=1.0)
+        with rosbag.Bag(self.path, 'a') as bag:
+            bag.write('/loco_1/adhesion', String())
+        self.assert_refused(self.path, '/loco_1/adhesion', 'another definition')
+
+    def test_axles_that_change_in_number_are_refused(self):
+        write_bag(self.path, duration_s=1.0, with_wheels=(1,))
+        with rosbag.Bag(self.path) as old, rosbag.Bag(self.other, 'w') as new:
+            for i, (topic, message, stamp) in enumerate(old.read_messages()):
+                if topic == '/loco_1/adhesion' and i > 50:
+                    message.axles.pop()
+                new.write(topic, message, stamp)
+        self.assert_refused(self.other, 'number of axles', 'locomotive 1')
+
     def test_state_without_energy_at_the_cut_end_is_left_out(self):
         write_bag(self.path, duration_s=1.0)
         with rosbag.Bag(self.path) as whole, rosbag.Bag(self.other, 'w') as cut:
@@ -104,12 +137,14 @@ class BagReaderTest(unittest.TestCase):
         self.assertAlmostEqual(run.at_location(run.time_s, middle), (run.time_s[500] + run.time_s[501]) / 2.0, places=9)
 
     def test_overlapping_parts_of_one_run_join_to_the_whole(self):
-        first = write_bag(self.path, duration_s=10.0)
-        whole = write_bag(self.other, duration_s=20.0, rows_from=400)
+        first = write_bag(self.path, duration_s=10.0, with_wheels=(1,))
+        whole = write_bag(self.other, duration_s=20.0, rows_from=400, with_wheels=(1,))
         run, = join_parts([read_bag(self.other), read_bag(self.path)])
         np.testing.assert_array_equal(run.time_s, whole['time'])
         np.testing.assert_array_equal(run.coupler_force_N, whole['coupler_force'])
         self.assertEqual(len(run.account['kinetic']), len(whole['time']))
+        np.testing.assert_array_equal(run.adhesion.location_m, whole['location'])
+        np.testing.assert_array_equal(run.adhesion.creep, whole['axles']['creep'])
         self.assertLess(len(first['time']), len(whole['time']))
 
     def test_runs_of_one_scenario_get_labels_of_their_own(self):

@@ -74,6 +74,15 @@ class ReportTest(unittest.TestCase):
         self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
         self.assert_figures(*COMPARISONS, 'coupler_forces_left', 'coupler_forces_right')
 
+    def test_runs_with_wheels_beside_one_without_get_their_figures(self):
+        other = self.bag.replace('run.bag', 'other.bag')
+        write_bag(self.bag, '1d', run_id=1, duration_s=60.0)
+        write_bag(other, '2d', run_id=2, duration_s=60.0, with_wheels=(1, 2))
+        result = self.report(self.bag, other, '--out', self.out)
+        self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
+        self.assert_figures(*COMPARISONS, 'coupler_forces_1d', 'coupler_forces_2d', 'friction_adhesion',
+                            'adhesion_creep_2d', 'adhesion_control_2d', 'axle_loads_2d')
+
     def test_vehicle_alone_gives_no_coupler_figure_and_says_so(self):
         write_bag(self.bag, locos=1, wagons=0, duration_s=10.0)
         result = self.report(self.bag, '--out', self.out)

@@ -4,7 +4,7 @@ import unittest
 
 import rosunit
 
-from train_viz.resolved_scenario import Curve, read_adhesion_limit, read_curves
+from train_viz.resolved_scenario import Curve, read_adhesion_limit, read_curves, read_slip_limit
 
 TABLE = '''
 track:
@@ -34,6 +34,7 @@ class ResolvedScenarioTest(unittest.TestCase):
                      'track: {curves: 3}', 'train: {groups: []}', 'train: {groups: [{vehicle: {mass_kg: 134000}}]}'):
             self.assertEqual(read_curves(text), [], text)
             self.assertIsNone(read_adhesion_limit(text), text)
+            self.assertIsNone(read_slip_limit(text), text)
 
     def test_listed_curve_has_transitions_inside(self):
         text = ('track: {curves: [{start_km: 3.3, radius_m: 300, direction: right, transition_in_m: 50, '
@@ -64,6 +65,10 @@ class ResolvedScenarioTest(unittest.TestCase):
         coefficient, force_N = read_adhesion_limit(text)
         self.assertEqual(coefficient, 0.35)
         self.assertAlmostEqual(force_N, 460089.0, places=3)  # the paper's 460.09 kN
+
+    def test_slip_limit_is_that_of_the_controller_if_there_is_one(self):
+        self.assertEqual(read_slip_limit('control: {law: pi, slip_limit: 7e-2}'), 0.07)
+        self.assertIsNone(read_slip_limit('control: {law: none, torque_lag_s: 0}'))
 
     def test_curves_are_hashable_for_the_union_over_runs(self):
         self.assertEqual(len({Curve(1.0, 2.0, 3.0, 4.0, 5.0), Curve(1.0, 2.0, 3.0, 4.0, 5.0)}), 1)

@@ -1,18 +1,22 @@
 """Reads what LTD wrote: a bag becomes a Run. The only file here that knows rosbag and the messages."""
+import dataclasses
 import os
+import re
 import struct
 import sys
 import time
-from typing import Dict, Iterator, List, Tuple
+from typing import Dict, Iterator, List, Optional, Tuple
 
 import genpy
 import numpy as np
 import rosbag
+from train_msgs.msg import Adhesion as AdhesionMessage
 from train_msgs.msg import RunConfiguration, TrainEnergy, TrainState
 
+from train_viz.adhesion import AXLE_COLUMNS, Adhesion
 from train_viz.run import ReportError, Run
 
-FORMAT_VERSION = 1  # of the bag, as in RunConfiguration; with another one fields may mean something else
+FORMAT_VERSION = 2  # of the bag, as in RunConfiguration; with another one fields may mean something else
 
 TOPICS = {
     '/train/configuration': RunConfiguration,
@@ -20,6 +24,11 @@ TOPICS = {
     '/train/energy': TrainEnergy,
 }
 ACCOUNT_FIELDS = [name for name, kind in zip(TrainEnergy.__slots__, TrainEnergy._slot_types) if kind == 'float64']
+ADHESION_TOPIC = re.compile(r'/loco_([1-9][0-9]*)/adhesion')  # locomotives are counted from 1 at the head
+# Of AxleAdhesion, in the order of AXLE_COLUMNS
+AXLE_FIELDS = ('creep', 'adhesion', 'friction', 'static_friction', 'normal_force', 'torque_demanded', 'torque_applied',
+               'controller_active', 'frictional_power', 't_gamma')
+FIRST_STAMP_NS = 10**9  # of a run's start
 PROGRESS_PERIOD_S = 2.0  # of wall time, chosen: short reads stay silent
 
 # What rosbag raises on files that are damaged in one way or another.
@@ -38,32 +47,43 @@ def read_bag(path: str) -> Run:
         raise ReportError(f'{path}: empty file: the run was killed before it wrote anything, simulate again')
     try:
         with rosbag.Bag(path) as bag:
-            _check_topics(path, bag)
+            locomotive = _check_topics(path, bag)
             configuration = _read_configuration(path, bag)
-            states, energies = _read_rows(path, bag)
+            states, energies, wheels = _read_rows(path, bag, locomotive)
     except rosbag.ROSBagUnindexedException:
         raise ReportError(f'{path}: bag was never closed: wait for the end of the run, or repair a copy of it with '
                           f"'rosbag reindex'") from None
     except UNREADABLE as error:
         raise ReportError(f'{path}: not a readable bag ({_one_line(error)}): record or simulate it again') from None
-    return _make_run(path, configuration, states, energies)
+    run = _make_run(path, configuration, states, energies)
+    return dataclasses.replace(run, adhesion=_make_adhesion(path, locomotive, wheels))
 
 
 def _one_line(error: BaseException) -> str:
     return ' '.join(str(error).split()) or type(error).__name__
 
 
-def _check_topics(path: str, bag: rosbag.Bag) -> None:
-    """Refuses bags without our topics, or with topics whose messages were defined differently."""
+def _check_topics(path: str, bag: rosbag.Bag) -> Optional[int]:
+    """Refuses bags without our topics, or with topics whose messages were defined differently.
+
+    @return number of the first locomotive with an adhesion topic, or None
+    """
     types, topics = bag.get_type_and_topic_info()
     missing = [topic for topic in TOPICS if topic not in topics]
     if missing:
         raise ReportError(f'{path}: no messages on {", ".join(missing)}: give a telemetry bag written by LTD')
-    for topic, message in TOPICS.items():
+    locomotive = min((int(match[1]) for match in map(ADHESION_TOPIC.fullmatch, topics) if match), default=None)
+    adhesion = {} if locomotive is None else {_adhesion_topic(locomotive): AdhesionMessage}
+    for topic, message in {**TOPICS, **adhesion}.items():
         name = topics[topic].msg_type
         if name != message._type or types[name] != message._md5sum:
             raise ReportError(f'{path}: {topic} has another definition of {message._type}: use the train_viz of the '
                               'build that wrote it')
+    return locomotive
+
+
+def _adhesion_topic(locomotive: int) -> str:
+    return f'/loco_{locomotive}/adhesion'
 
 
 def _read_configuration(path: str, bag: rosbag.Bag) -> RunConfiguration:
@@ -78,19 +98,23 @@ def _read_configuration(path: str, bag: rosbag.Bag) -> RunConfiguration:
 Rows = Dict[int, Tuple]  # by the stamp in nanoseconds
 
 
-def _read_rows(path: str, bag: rosbag.Bag) -> Tuple[Rows, Rows]:
-    """What we need of every TrainState and TrainEnergy message."""
+def _read_rows(path: str, bag: rosbag.Bag, locomotive: Optional[int]) -> Tuple[Rows, Rows, Rows]:
+    """What we need of every TrainState and TrainEnergy message, and of one locomotive's Adhesion."""
     states: Rows = {}
     energies: Rows = {}
-    for topic, m in _with_progress(path, bag, ['/train/state', '/train/energy']):
+    wheels: Rows = {}
+    topics = ['/train/state', '/train/energy'] + ([] if locomotive is None else [_adhesion_topic(locomotive)])
+    for topic, m in _with_progress(path, bag, topics):
         stamp = m.header.stamp.to_nsec()
         if topic == '/train/state':
             states[stamp] = (m.time, m.location, m.speed, np.array(m.notch), np.array(m.traction),
                              np.array(m.coupler_force))
-        else:
+        elif topic == '/train/energy':
             energies[stamp] = (np.array(m.loco_energy_rail), np.array(m.loco_energy_rim),
                                np.array([getattr(m, name) for name in ACCOUNT_FIELDS]))
-    return states, energies
+        elif m.axles:
+            wheels[stamp] = (m.location, m.speed, [[getattr(axle, name) for name in AXLE_FIELDS] for axle in m.axles])
+    return states, energies, wheels
 
 
 def _with_progress(path: str, bag: rosbag.Bag, topics: List[str]) -> Iterator[Tuple[str, genpy.Message]]:
@@ -120,3 +144,16 @@ def _make_run(path: str, configuration: RunConfiguration, states: Rows, energies
                time_s=s[0], location_m=s[1], speed_mps=s[2], notch=s[3], traction_N=s[4], coupler_force_N=s[5],
                loco_energy_rail_J=e[0], loco_energy_rim_J=e[1],
                account={name: e[2][:, i] for i, name in enumerate(ACCOUNT_FIELDS)})
+
+
+def _make_adhesion(path: str, locomotive: Optional[int], wheels: Rows) -> Optional[Adhesion]:
+    if not wheels:
+        return None
+    stamps = sorted(wheels)
+    try:
+        location_m, speed_mps, axles = (np.array(column, dtype=float) for column in zip(*(wheels[s] for s in stamps)))
+    except ValueError:  # ragged
+        raise ReportError(f'{path}: the number of axles of locomotive {locomotive} changes within the bag: '
+                          'simulate again') from None
+    return Adhesion(locomotive=locomotive, time_s=(np.array(stamps) - FIRST_STAMP_NS) / 1e9, location_m=location_m,
+                    speed_mps=speed_mps, **{name: axles[:, :, i] for i, name in enumerate(AXLE_COLUMNS)})

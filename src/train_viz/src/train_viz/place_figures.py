@@ -3,7 +3,6 @@ from typing import Any, Dict, List
 
 import numpy as np
 from matplotlib import pyplot as plt
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from train_viz import plot_style
@@ -24,17 +23,12 @@ def draw_traction_force(runs: List[Run]) -> Figure:
     for coefficient, force_N in sorted(limits):
         axes.axhline(force_N / 1e3, color='black', linestyle='--', linewidth=1.2,
                      label=f'adhesion limit {coefficient:g} m g = {force_N / 1e3:.1f} kN')
-    _start_at_zero(axes)
+    plot_style.start_at_zero(axes)
     axes.set_title('Traction force of the leading locomotive', pad=22)
     axes.set_ylabel('traction at the rail [kN]')
     plot_style.set_place_axis(axes, runs)
     plot_style.legend_below(figure, axes)
     return figure
-
-
-def _start_at_zero(axes: Axes) -> None:
-    low, high = axes.get_ylim()
-    axes.set_ylim(0.0 if low > -0.1 * high else low, high)
 
 
 def draw_energy(runs: List[Run]) -> Figure:
@@ -56,7 +50,7 @@ def draw_energy(runs: List[Run]) -> Figure:
     if over_speed:
         last.set_title('over speed', pad=22)
         last.set_xlabel('speed [km/h]')
-    _start_at_zero(place)
+    plot_style.start_at_zero(place)
     kwh = last.secondary_yaxis('right', functions=(lambda mj: mj * KWH_PER_MJ, lambda kwh: kwh / KWH_PER_MJ))
     kwh.set_ylabel('energy [kWh]')
     figure.suptitle('Energy of the leading locomotive')
@@ -95,7 +89,7 @@ def draw_speed_notch(runs: List[Run]) -> Figure:
     for i, run in enumerate(runs):
         speed.plot(run.location_km, run.speed_kmph, label=run.label, **plot_style.line_style(i))
         notch.step(run.location_km, run.notch[:, 0], where='post', **plot_style.line_style(i))
-    _start_at_zero(speed)
+    plot_style.start_at_zero(speed)
     speed.set_title('Speed and notch of the leading locomotive', pad=22)
     speed.set_ylabel('speed [km/h]')
     notch.set_ylabel('notch')

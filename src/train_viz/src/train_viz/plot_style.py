@@ -2,9 +2,10 @@
 import math
 import os
 import textwrap
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, Iterable, List, Tuple, Union
 
 import matplotlib
+import numpy as np
 
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
@@ -41,6 +42,16 @@ def line_style(i: int) -> Dict[str, Any]:
     return {'color': LINE_COLOURS[i % len(LINE_COLOURS)], 'linewidth': max(1.2, 2.6 - 0.6 * i)}
 
 
+def axle_style(axle: int) -> Dict[str, Any]:
+    """Of an axle, from 0 at the front: thinner towards the rear, so that a line shows under the next where they coincide."""
+    return {'color': LINE_COLOURS[axle % len(LINE_COLOURS)], 'linewidth': max(1.0, 2.4 - 0.25 * axle)}
+
+
+def start_at_zero(axes: Axes) -> None:
+    low, high = axes.get_ylim()
+    axes.set_ylim(0.0 if low > -0.1 * high else low, high)
+
+
 def save(figure: Figure, directory: str, name: str) -> List[str]:
     """Writes NAME.png and NAME.svg, closes the figure and returns the paths."""
     paths = [os.path.join(directory, f'{name}.{suffix}') for suffix in ('png', 'svg')]
@@ -50,11 +61,15 @@ def save(figure: Figure, directory: str, name: str) -> List[str]:
     return paths
 
 
-def legend_below(figure: Figure, axes: Axes, note: str = '') -> None:
-    """The legend of an axes under the whole figure, where it cannot hide a curve; in columns if its labels are short."""
-    handles, labels = axes.get_legend_handles_labels()
+def legend_below(figure: Figure, panels: Union[Axes, Iterable[Axes]], note: str = '',
+                 marker_scale: float = 1.0) -> None:
+    """The legend of one or several axes under the whole figure, where it cannot hide a curve; in columns if its labels are
+    short."""
+    found = [axes.get_legend_handles_labels() for axes in np.ravel(panels)]
+    handles, labels = (sum(lists, []) for lists in zip(*found))
     columns = max(1, min(4, 90 // (8 + max(len(label) for label in labels))))  # 90 characters fill a figure
-    figure.legend(handles, labels, loc='upper center', bbox_to_anchor=(0.5, 0.0), ncol=columns, title=note or None)
+    figure.legend(handles, labels, loc='upper center', bbox_to_anchor=(0.5, 0.0), ncol=columns, title=note or None,
+                  markerscale=marker_scale)
 
 
 def wrapped(label: str, width: int) -> str:

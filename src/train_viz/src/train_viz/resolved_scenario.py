@@ -1,4 +1,4 @@
-"""What the figures need from the resolved scenario text: the track's curves and the adhesion limit.
+"""What the figures need from the resolved scenario text: the track's curves, the adhesion limit and the slip limit.
 
 The program that ran the scenario has checked it strictly; here whatever is not found is left out.
 """
@@ -47,6 +47,14 @@ def read_adhesion_limit(resolved: str) -> Optional[Tuple[float, float]]:
     except (TypeError, ValueError):
         return None
     return coefficient, coefficient * mass_kg * GRAVITY_MPS2
+
+
+def read_slip_limit(resolved: str) -> Optional[float]:
+    """The creep that adhesion control holds [-], > 0, or None without such a controller."""
+    try:
+        return float(_lookup(_load(resolved), 'control', 'slip_limit'))
+    except (TypeError, ValueError):
+        return None
 
 
 def _load(text: str) -> Any:

@@ -1,8 +1,10 @@
 """One simulated run as plain arrays, and what is asked of it. Nothing here knows ROS or matplotlib."""
 import dataclasses
-from typing import Dict, List, Tuple
+from typing import Dict, List, Optional, Tuple
 
 import numpy as np
+
+from train_viz.adhesion import Adhesion, join_adhesion
 
 
 class ReportError(Exception):
@@ -30,6 +32,7 @@ class Run:
     loco_energy_rail_J: np.ndarray    # [row, locomotive], Eq. (4)
     loco_energy_rim_J: np.ndarray     # [row, locomotive]
     account: Dict[str, np.ndarray]    # whole train: TrainEnergy's numbers by field name, [row]
+    adhesion: Optional[Adhesion] = None  # of the first locomotive that has wheels on the rail; no locomotive of model 1d has
 
     @property
     def location_km(self) -> np.ndarray:
@@ -79,7 +82,9 @@ def _join(parts: List[Run]) -> Run:
     arrays = {f.name: merged(lambda p, name=f.name: getattr(p, name))
               for f in dataclasses.fields(Run) if f.type is np.ndarray}
     account = {name: merged(lambda p, name=name: p.account[name]) for name in parts[0].account}
-    return dataclasses.replace(parts[0], files=sum((p.files for p in parts), ()), account=account, **arrays)
+    wheels = [p.adhesion for p in parts if p.adhesion is not None]
+    return dataclasses.replace(parts[0], files=sum((p.files for p in parts), ()), account=account,
+                               adhesion=join_adhesion(wheels) if wheels else None, **arrays)
 
 
 def _label(runs: List[Run]) -> List[Run]:

@@ -1,0 +1,54 @@
+"""What a locomotive's axles do on the rail, as plain arrays. Nothing here knows ROS or matplotlib."""
+import dataclasses
+from typing import List, Tuple
+
+import numpy as np
+
+
+@dataclasses.dataclass(frozen=True)
+class Adhesion:
+    """One locomotive's wheels on the rail in rows of simulation time; SI units, signs as in AxleAdhesion.msg."""
+    locomotive: int                   # counted from 1 at the head of the train
+    time_s: np.ndarray                # since the start of the run
+    location_m: np.ndarray            # chainage of this locomotive
+    speed_mps: np.ndarray             # of this locomotive
+    creep: np.ndarray                 # [row, axle], as all below; > 0 driving
+    adhesion: np.ndarray              # used, > 0 driving
+    friction: np.ndarray              # that the rail offers at this slip
+    static_friction: np.ndarray       # that it would offer without slip
+    normal_force_N: np.ndarray        # of both wheels
+    torque_demanded_N_m: np.ndarray   # on the wheelset, before adhesion control
+    torque_applied_N_m: np.ndarray    # after it
+    controller_active: np.ndarray     # the controller takes torque away
+    frictional_power_W: np.ndarray    # lost to slip
+    t_gamma_N: np.ndarray             # energy lost to slip per distance
+
+    @property
+    def location_km(self) -> np.ndarray:
+        return self.location_m / 1000.0
+
+    @property
+    def speed_kmph(self) -> np.ndarray:
+        return self.speed_mps * 3.6
+
+    @property
+    def axles(self) -> int:
+        return self.creep.shape[1]
+
+
+AXLE_COLUMNS = [field.name for field in dataclasses.fields(Adhesion)][4:]  # the arrays by axle, in the order of the fields
+
+
+def join_adhesion(parts: List[Adhesion]) -> Adhesion:
+    """Joins one locomotive's rows from bags of one run; of rows of the same time any one will do."""
+    _, rows = np.unique(np.concatenate([part.time_s for part in parts]), return_index=True)
+    names = [field.name for field in dataclasses.fields(Adhesion) if field.type is np.ndarray]
+    return dataclasses.replace(parts[0], **{
+        name: np.concatenate([getattr(part, name) for part in parts])[rows] for name in names})
+
+
+def true_stretches(place: np.ndarray, flags: np.ndarray) -> List[Tuple[float, float]]:
+    """Where flags are true, as (from, length): from a stretch's first row as far as the row that follows its last."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], flags.astype(bool), [False])).astype(int)))
+    ends = np.minimum(edges[1::2], len(place) - 1)
+    return [(float(place[first]), float(place[end] - place[first])) for first, end in zip(edges[0::2], ends)]

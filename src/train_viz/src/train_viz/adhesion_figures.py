@@ -1,0 +1,220 @@
+"""What the wheels of a locomotive do on the rail: adhesion over creep, adhesion control, axle loads, friction over place."""
+from typing import List, Optional
+
+import numpy as np
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from train_viz import plot_style
+from train_viz.adhesion import Adhesion, true_stretches
+from train_viz.resolved_scenario import read_slip_limit
+from train_viz.run import Run
+
+RACING = 1.0  # creep [-], chosen: beyond it a linear axis hides the part that the wheels should stay in
+LINEAR_TO_PERCENT = 10.0  # chosen: holds every usual slip limit
+LIMIT_STYLE = {'color': 'black', 'linestyle': '--', 'linewidth': 1.2}
+
+
+def draw_adhesion_creep(run: Run) -> Figure:
+    """Adhesion used over creep, a panel for each axle, and the friction that the rail offers; as Fig. 3.
+
+    The contact's creep curve is not drawn: a bag of the 2D model does not hold the contact ellipse that it depends on.
+    """
+    wheels = run.adhesion
+    columns = min(3, wheels.axles)
+    rows = -(-wheels.axles // columns)
+    figure, panels = plt.subplots(rows, columns, figsize=(3.2 + 3.0 * columns, 1.6 + 2.7 * rows), sharex=True, sharey=True,
+                                  squeeze=False)
+    for axle, axes in enumerate(panels.flat):
+        if axle >= wheels.axles:
+            axes.set_visible(False)
+            continue
+        points = _draw_axle(axes, wheels, axle)
+        _mark_slip_limit(axes.axvline, run)
+        axes.set_title(f'axle {axle + 1}', fontsize=11)
+        axes.xaxis.set_tick_params(labelbottom=axle + columns >= wheels.axles)
+    low, high = wheels.creep.min(), wheels.creep.max()
+    panels[0, 0].set_xlim(100.0 * min(1.08 * low, -0.02 * min(high, 0.1)), 100.0 * max(1.08 * high, 1e-3))
+    if _races(wheels):
+        panels[0, 0].set_xscale('symlog', linthresh=LINEAR_TO_PERCENT)
+        panels[0, 0].xaxis.set_major_formatter('{x:g}')
+    plot_style.start_at_zero(panels[0, 0])
+    bar = figure.colorbar(points, ax=panels, pad=0.02)
+    bar.set_label('speed [km/h]')
+    scale = f'   (logarithmic beyond {LINEAR_TO_PERCENT:g} %)' if _races(wheels) else ''
+    figure.supxlabel(f'creep [%]{scale}', fontsize=12)
+    figure.supylabel('coefficient of adhesion or friction [-]', fontsize=12)
+    figure.suptitle(f'Adhesion over creep, {_whose(run)}')
+    plot_style.legend_below(figure, panels[0, 0], marker_scale=2.0)
+    return figure
+
+
+def _draw_axle(axes: Axes, wheels: Adhesion, axle: int):
+    """Points as an image, also in the SVG: there are tens of thousands of them."""
+    creep = 100.0 * wheels.creep[:, axle]
+    style = {'c': wheels.speed_kmph, 'cmap': 'viridis', 'linewidths': 0.0, 'rasterized': True}
+    axes.scatter(creep, wheels.friction[:, axle], s=2.0, label='thin: friction offered at the slip', **style)
+    return axes.scatter(creep, wheels.adhesion[:, axle], s=11.0, label='thick: adhesion used', **style)
+
+
+def _races(wheels: Adhesion) -> bool:
+    return bool(np.abs(wheels.creep).max() > RACING)
+
+
+def _mark_slip_limit(line, run: Run) -> None:
+    limit = read_slip_limit(run.resolved)
+    if limit is None:
+        return
+    line(100.0 * limit, label=f'slip limit {100.0 * limit:g} %', **LIMIT_STYLE)
+    if run.adhesion.creep.min() < -0.5 * limit:  # braking comes near its own limit
+        line(-100.0 * limit, **LIMIT_STYLE)
+
+
+def draw_adhesion_control(run: Run) -> Figure:
+    """Creep, torque before and after the controller, and where it acts, over place."""
+    wheels = run.adhesion
+    heights = [3.0, 3.0] + ([0.5 + 0.2 * wheels.axles] if wheels.controller_active.any() else [])
+    figure, panels = plt.subplots(len(heights), 1, figsize=(9.0, 1.0 + 1.1 * sum(heights)), sharex=True,
+                                  gridspec_kw={'height_ratios': heights})
+    _draw_creep(panels[0], run)
+    _draw_torque(panels[1], wheels)
+    if len(panels) > 2:
+        _draw_active(panels[2], wheels)
+    else:
+        panels[1].set_title('no controller takes torque away', fontsize=11)
+    _finish_place_panels(figure, panels, run, 'Adhesion control')
+    return figure
+
+
+def _draw_creep(axes: Axes, run: Run) -> None:
+    _draw_axles(axes, run.adhesion, 100.0 * run.adhesion.creep)
+    _mark_slip_limit(axes.axhline, run)
+    axes.set_ylabel('creep [%]')
+    if _races(run.adhesion):
+        axes.set_yscale('symlog', linthresh=LINEAR_TO_PERCENT)
+        axes.yaxis.set_major_formatter('{x:g}')
+        axes.set_ylabel(f'creep [%]\n(logarithmic beyond {LINEAR_TO_PERCENT:g} %)')
+
+
+def _draw_active(axes: Axes, wheels: Adhesion) -> None:
+    for axle in range(wheels.axles):
+        axes.broken_barh(true_stretches(wheels.location_km, wheels.controller_active[:, axle]), (axle + 0.65, 0.7),
+                         color=plot_style.axle_style(axle)['color'])
+    axes.set_ylim(wheels.axles + 0.6, 0.4)  # the front axle on top
+    axes.set_yticks(range(1, wheels.axles + 1))
+    axes.grid(axis='y', visible=False)
+    axes.set_ylabel('axle')
+    axes.set_title('bars: the controller takes torque away', fontsize=11)
+
+
+def _draw_torque(axes: Axes, wheels: Adhesion) -> None:
+    """Applied to each axle; demanded in one line where all axles are asked for the same, otherwise one for each."""
+    _draw_axles(axes, wheels, wheels.torque_applied_N_m / 1e3, labels=False)
+    axes.set_ylabel('torque on the wheelset [kN m]')
+    demand = wheels.torque_demanded_N_m / 1e3
+    if np.ptp(demand, axis=1).max() <= 1e-6 * np.abs(demand).max():
+        axes.plot(wheels.location_km, demand[:, 0], color='black', linestyle=':', linewidth=1.8,
+                  label='torque demanded')
+    else:
+        for axle in range(wheels.axles):
+            axes.plot(wheels.location_km, demand[:, axle], ':', label=f'demanded, axle {axle + 1}',
+                      **plot_style.axle_style(axle))
+
+
+def draw_axle_loads(run: Run) -> Figure:
+    """Normal force of each axle, and what its slip costs by time and by distance, over place."""
+    wheels = run.adhesion
+    figure, panels = plt.subplots(3, 1, figsize=(9.0, 9.0), sharex=True)
+    for axes, values, words in ((panels[0], wheels.normal_force_N / 1e3, 'axle load [kN]'),
+                                (panels[1], wheels.frictional_power_W / 1e3, 'frictional power [kW]'),
+                                (panels[2], wheels.t_gamma_N / 1e3, 'T-gamma [kN = kJ/m]')):
+        _draw_axles(axes, wheels, values, labels=axes is panels[0])
+        axes.set_ylabel(words)
+    for axes in panels[1:]:
+        plot_style.start_at_zero(axes)
+    _finish_place_panels(figure, panels, run, 'Axle loads and slip losses')
+    return figure
+
+
+def _draw_axles(axes: Axes, wheels: Adhesion, values: np.ndarray, labels: bool = True) -> None:
+    for axle in range(wheels.axles):
+        axes.plot(wheels.location_km, values[:, axle], label=f'axle {axle + 1}' if labels else None,
+                  **plot_style.axle_style(axle))
+
+
+def _finish_place_panels(figure: Figure, panels: np.ndarray, run: Run, title: str) -> None:
+    for axes in panels:
+        plot_style.shade_curves(axes, [run], labels=axes is panels[0])
+    _set_place_axis(panels[-1], [run])
+    figure.suptitle(f'{title}, {_whose(run)}')
+    figure.align_ylabels(panels)
+    plot_style.legend_below(figure, panels)
+
+
+def draw_friction_adhesion(runs: List[Run]) -> Optional[Figure]:
+    """Static friction, friction at the slip and adhesion used over place; as Fig. 7. None for runs without wheels."""
+    shown = [(i, run) for i, run in enumerate(runs) if run.adhesion is not None]
+    if not shown:
+        return None
+    with_wheels = [run for _, run in shown]
+    colours = [plot_style.line_style(i)['color'] for i, _ in shown]  # of a run in the other figures, too
+    figure, axes = plt.subplots(figsize=(9.0, 5.6))
+    plot_style.shade_curves(axes, with_wheels)
+    for run, colour in zip(with_wheels, colours):
+        _draw_friction_of(axes, run, colour)
+    plot_style.start_at_zero(axes)
+    _add_friction_keys(axes, with_wheels, colours)
+    title = f'Friction and adhesion, {_which(with_wheels)}' + (f', {with_wheels[0].label}' if len(shown) == 1 else '')
+    axes.set_title(title, pad=22)
+    axes.set_ylabel('coefficient of friction or adhesion [-]')
+    _set_place_axis(axes, with_wheels)
+    absent = [run.label for run in runs if run.adhesion is None]
+    note = f'Not shown, no adhesion topic in the bag (1D has none): {", ".join(absent)}' if absent else ''
+    plot_style.legend_below(figure, axes, plot_style.wrapped(note, 90))
+    return figure
+
+
+# Means over the axles: field of Adhesion, words, line
+FRICTION_LINES = (
+    ('static_friction', 'static friction', {'linestyle': '--', 'linewidth': 1.5}),
+    ('friction', 'friction offered at the slip', {'linestyle': '-.', 'linewidth': 1.5}),
+    ('adhesion', 'adhesion used, mean of the axles', {'linestyle': '-', 'linewidth': 2.0}),
+)
+RANGE_STYLE = {'alpha': 0.25, 'linewidth': 0}
+
+
+def _draw_friction_of(axes: Axes, run: Run, colour: str) -> None:
+    wheels = run.adhesion
+    axes.fill_between(wheels.location_km, wheels.adhesion.min(axis=1), wheels.adhesion.max(axis=1), color=colour,
+                      **RANGE_STYLE)
+    for name, _, style in FRICTION_LINES:
+        axes.plot(wheels.location_km, getattr(wheels, name).mean(axis=1), color=colour, **style)
+
+
+def _add_friction_keys(axes: Axes, runs: List[Run], colours: List[str]) -> None:
+    """The legend says once what the lines mean, and of several runs which colour is whose."""
+    if len(runs) > 1:
+        for run, colour in zip(runs, colours):
+            axes.plot([], [], color=colour, linewidth=2.0, label=run.label)
+    grey_or_own = colours[0] if len(runs) == 1 else '0.3'
+    for _, words, style in FRICTION_LINES:
+        axes.plot([], [], color=grey_or_own, label=words, **style)
+    axes.fill_between([], [], [], color=grey_or_own, label='its range over the axles', **RANGE_STYLE)
+
+
+def _set_place_axis(axes: Axes, runs: List[Run]) -> None:
+    plot_style.set_place_axis(axes, runs)
+    if any(run.adhesion.locomotive != 1 for run in runs):
+        first, last = axes.get_xlim()
+        axes.set_xlim(min([first] + [run.adhesion.location_km.min() for run in runs]), last)
+        axes.set_xlabel(f'place of {_which(runs)} [km]')
+
+
+def _whose(run: Run) -> str:
+    return f'{run.label}, {_which([run])}'
+
+
+def _which(runs: List[Run]) -> str:
+    numbers = sorted({run.adhesion.locomotive for run in runs})
+    return 'the leading locomotive' if numbers == [1] else f'locomotive {" or ".join(str(n) for n in numbers)}'
