@@ -37,8 +37,8 @@ void runModel(benchmark::State& state, const std::string& scenario) {
   for (auto _ : state) step();
   state.counters["per_micro_step"] = benchmark::Counter(
       static_cast<double>(micro_steps), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-  state.counters["times_real_time"] = benchmark::Counter(
-      rail::toSeconds(force.step_length), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["times_real_time"] =
+      benchmark::Counter(rail::toSeconds(force.step_length), benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK_CAPTURE(runModel, 2d, "paper_2d");
 
