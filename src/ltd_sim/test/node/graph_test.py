@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Whole runs through the graph: the same bits as offline, faults by name, good endings and bags."""
 
+import math
 import os
 import signal
 import sys
@@ -18,7 +19,8 @@ SHORT = "run.end_time_s=8"  # 4000 steps: all locomotives pull, the slack runs o
 
 def payload(message):
     """A message without what differs between sessions: ids and sequence numbers."""
-    message.header.seq = 0
+    if hasattr(message, "header"):
+        message.header.seq = 0
     if hasattr(message, "id"):
         message.id.run_id = message.id.epoch = message.id.incarnation = 0
     return message
@@ -60,7 +62,7 @@ class GraphTest(unittest.TestCase):
         self.assertEqual(outcome_of(self.graph.out), self.offline(overrides))
         graph_bag = bag_payloads(os.path.join(self.graph.out, "paper_1d.bag"))
         offline_bag = bag_payloads(os.path.join(self.graph.folder, "offline", "paper_1d.bag"))
-        self.assertEqual(len(graph_bag), 2 * 401 + 6 * 4000)
+        self.assertEqual(len(graph_bag), 2 * 401 + 80 + 6 * 4000)
         self.assertEqual(graph_bag, offline_bag)
 
     def test_locomotives_with_contacts_give_the_same_bits_and_tell_the_same_of_their_adhesion(self):
@@ -79,6 +81,24 @@ class GraphTest(unittest.TestCase):
         self.assertEqual(len(leading), 250)
         self.assertEqual({round(axle.static_friction, 3) for axle in leading[-1].axles}, {0.2})
         self.assertEqual({round(axle.static_friction, 3) for axle in leading[0].axles}, {0.35})
+        self.check_frames([message for topic, _, message in graph_bag if topic == "/tf"][-1], leading[-1].location)
+
+    def check_frames(self, message, location):
+        """All bodies of three locomotives, where they belong on the paper's line, which begins at chainage 0."""
+        frames = {transform.child_frame_id: transform for transform in message.transforms}
+        self.assertEqual(len(frames), 3 * 10)
+        base = frames["loco_1/base_link"]
+        self.assertEqual(base.header.frame_id, "map")
+        steps = [3300 + (i + 0.5) * (location - 3300) / 10000 for i in range(10000)]
+        headings = [min(s - 3300, 50) ** 2 / (2 * 50 * 300) + max(s - 3350, 0) / 300 for s in steps]
+        ahead = sum(math.cos(heading) for heading in headings) * (location - 3300) / 10000
+        left = sum(math.sin(heading) for heading in headings) * (location - 3300) / 10000
+        self.assertAlmostEqual(base.transform.translation.x, 3300 + ahead, delta=1e-3)
+        self.assertAlmostEqual(base.transform.translation.y, left, delta=1e-3)
+        wheelset = frames["loco_1/wheelset_1"]
+        self.assertEqual(wheelset.header.frame_id, "loco_1/base_link")
+        self.assertAlmostEqual(wheelset.transform.translation.x, 6.645 + 1.85, delta=0.01)
+        self.assertAlmostEqual(wheelset.transform.translation.z, 0.5335, delta=0.001)
 
     def test_a_locomotive_killed_in_the_run_and_started_again_leaves_the_bits_alone(self):
         train, locos = self.start_all(SHORT, hold="true")
@@ -132,7 +152,7 @@ class GraphTest(unittest.TestCase):
         train.send_signal(signal.SIGINT)
         self.assertEqual(self.graph.wait_for_end(train), 3)
         self.assertEqual(outcome_of(self.graph.out)["outcome"], "stopped")
-        self.assertEqual(len(bag_payloads(os.path.join(self.graph.out, "paper_1d.bag"))), 2 * 51 + 6 * 500)
+        self.assertEqual(len(bag_payloads(os.path.join(self.graph.out, "paper_1d.bag"))), 2 * 51 + 10 + 6 * 500)
 
     def test_stop_through_the_service_stops_the_run_in_good_order(self):
         train, _ = self.start_all(SHORT, hold="true")
