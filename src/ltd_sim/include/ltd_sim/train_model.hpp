@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "loco_dynamics/step_limit.hpp"
 #include "ltd_sim/coupler.hpp"
 #include "ltd_sim/traction_characteristic.hpp"
 #include "rail_core/vehicle.hpp"
@@ -18,6 +19,7 @@ struct LocoUnit {
   double adhesion_limit = 0.0;  ///< of its weight [-]; bounds the coupler forces that a step must bear
   std::string model;            ///< 1d, 2d, ...
   std::string key;              ///< dotted path of its map in the resolved scenario
+  loco::StepLimit micro_step = {};  ///< that its model bears
 };
 
 /// The train: what does not change during a run. Vehicles count from the head; coupler i joins vehicles i and i + 1.
