@@ -88,6 +88,15 @@ TEST(LocoFactoryTest, BodiesThatDoNotWeighWhatTheVehicleDoesAreRefused) {
             std::vector<std::string>{"mass_kg = 134000" + rule + "134006.000000 kg"});
 }
 
+TEST(LocoFactoryTest, AMicroStepBeyondThatOfTheWheelsAtTheirStaticLoadIsRefused) {
+  const auto lines =
+      faultsOfThePapersLocomotive({{"steps.micro_step_s", "0.00151"}, {"steps.macro_step_s", "0.00302"}});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines.front().substr(0, 60), "steps.micro_step_s = 0.00151: must be at most 0.001507 s for");
+  EXPECT_EQ(faultsOfThePapersLocomotive({{"steps.micro_step_s", "0.0015"}, {"steps.macro_step_s", "0.003"}}),
+            std::vector<std::string>());
+}
+
 TEST(LocoFactoryTest, FaultsInBodiesContactAdhesionAndControlAreToldAtOnce) {
   const auto lines = faultsOfThePapersLocomotive({{"train.groups.0.vehicle.bodies.primary.y_m", "0"},
                                                   {"train.groups.0.vehicle.contact.poisson_ratio", "2"},

@@ -43,6 +43,16 @@ TEST(StepLimitTest, ADampedMassBearsTheRootOfTheStepsPolynomial) {
   EXPECT_NEAR(limit.damping, c / (2.0 * std::sqrt(k * m)), 1e-9);
 }
 
+TEST(StepLimitTest, AMaxwellDamperIsASpringIfStiffAndAnExplicitDamperIfSoft) {
+  loco::LinearModel model = oneMass(0.0, 0.0, 1e4);
+  model.damper_stretch = Eigen::MatrixXd::Constant(1, 1, 1.0);
+  model.damper_spring_N_per_m = Eigen::VectorXd::Constant(1, 1e9);
+  model.damper_slope_N_s_per_m = Eigen::VectorXd::Constant(1, 1e12);
+  EXPECT_NEAR(loco::computeStepLimit(model).stable_s, 2.0 * std::sqrt(1e4 / 1e9), 2e-5);
+  model.damper_slope_N_s_per_m[0] = 1e3;  // x follows within a step: v (1 - h c/m)
+  EXPECT_NEAR(loco::computeStepLimit(model).stable_s, 2.0 * 1e4 / 1e3, 0.05);
+}
+
 TEST(StepLimitTest, BelowTheLimitNothingGrowsAndBeyondItDoes) {
   const loco::LinearModel model = oneMass(4e6, 3000.0, 100.0);
   const double stable_s = loco::computeStepLimit(model).stable_s;
