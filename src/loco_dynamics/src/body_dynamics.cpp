@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "rail_core/constants.hpp"
@@ -13,6 +14,34 @@ namespace {
 const char* nameOf(Dof dof) {
   static const char* const names[] = {"x", "y", "z", "roll", "pitch", "yaw"};
   return names[dof];
+}
+
+/// How far a body is from its place, seen from the car body [m, rad]; a wheelset's spin has no place.
+double offsetOf(const BodyVector& q, std::size_t body, Dof dof) {
+  if (dof == kPitch && body >= BodyLayout::wheelset(0)) return 0.0;
+  const auto k = static_cast<Eigen::Index>(dof);
+  return dof == kX ? q[body][k] - q[BodyLayout::kCar][k] : q[body][k];
+}
+
+/// A run that grows without bound is told long before it has no numbers left.
+std::string findImplausible(const BodyLayout& layout, const BodyVector& q) {
+  constexpr double kLargest = 1.0;  // m, rad; chosen: far beyond small motions, of which the model is
+  double largest = 0.0;
+  std::size_t body = 0;
+  Dof dof = kX;
+  for (std::size_t i = 0; i < layout.bodies().size(); ++i) {
+    for (const Dof k : layout.dofs()) {
+      const double offset = std::abs(offsetOf(q, i, k));
+      if (offset <= largest) continue;
+      largest = offset;
+      body = i;
+      dof = k;
+    }
+  }
+  if (largest <= kLargest) return {};
+  char text[64];
+  std::snprintf(text, sizeof text, " is %.3g %s from its place", offsetOf(q, body, dof), dof < kRoll ? "m" : "rad");
+  return layout.bodies()[body].name + ": in " + nameOf(dof) + text;
 }
 
 }  // namespace
@@ -75,7 +104,7 @@ std::string BodyDynamics::step(const BodyVector& loads, double h, BodyState& sta
         return layout_.bodies()[i].name + ": its speed in " + nameOf(dof) + " is no number";
     }
   }
-  return {};
+  return findImplausible(layout_, state.q);
 }
 
 double BodyDynamics::computeDampingWork(const BodyVector& v_old, const BodyVector& v_new, double h) const {

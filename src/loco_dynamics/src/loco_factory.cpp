@@ -1,11 +1,13 @@
 #include "loco_dynamics/loco_factory.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "loco_dynamics/contact/contact_config.hpp"
 #include "loco_dynamics/loco_1d.hpp"
 #include "loco_dynamics/loco_2d.hpp"
+#include "rail_core/constants.hpp"
 #include "rail_core/vehicle.hpp"
 
 namespace loco {
@@ -76,6 +78,27 @@ LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, 
   return details;
 }
 
+StepLimit computeMicroStepLimit(const LocoDetails& details, const std::string& model) {
+  if (!hasContacts(model)) return {};
+  const LocoStructure& s = details.structure;
+  const double wheel_N = s.totalMass() * rail::kGravity_mps2 / (2.0 * BodyLayout::kAxles);
+  const double stiffness = PlanarContact::makeNormalContact(details.contact).computeTangentStiffness(wheel_N);
+  return computeStepLimit(linearise(s, allCoordinates({kX, kZ, kPitch}),
+                                    {stiffness, details.contact.normal_damping_N_s_per_m}, {Branch::kStiffest, true}));
+}
+
+void checkMicroStep(rail::YamlReader& root, const StepLimit& limit, const std::string& locomotive,
+                    rail::Nanoseconds micro_step) {
+  if (rail::toSeconds(micro_step) <= limit.largest_s()) return;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "must be at most %.4g s for %s: mode \"%s\" at %.4g Hz, damping ratio %.2g, grows with steps beyond "
+                "%.4g s, of which %g may be used",
+                std::floor(limit.largest_s() * 1e6) / 1e6, locomotive.c_str(), limit.mode.c_str(), limit.frequency_Hz,
+                limit.damping, limit.stable_s, kStepShare);
+  root.map("steps").refuse("micro_step_s", text);
+}
+
 std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const std::string& key,
                                            rail::Problems& problems) {
   const std::size_t problems_before = problems.count();
@@ -96,6 +119,8 @@ std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const
       rail::wholeNanoseconds(root.map("steps").number("micro_step_s", rail::positive())).value_or(0);
   const ModelOptions options = readModelOptions(root, micro_step);
   const LocoDetails details = readLocoDetails(reader, model, vehicle.mass_kg);
+  if (problems.count() == problems_before)
+    checkMicroStep(root, computeMicroStepLimit(details, model), vehicle.name, micro_step);
   if (problems.count() != problems_before) return nullptr;
   return std::make_unique<Loco2d>(Loco2d::Parameters{details.structure, details.contact, options.rail, options.control,
                                                      adhesion_limit, micro_step});

@@ -1,5 +1,7 @@
 #include "loco_dynamics/loco_structure.hpp"
 
+#include <cmath>
+
 namespace loco {
 
 namespace {
@@ -55,6 +57,7 @@ class StructureReader {
     readBodies();
     readSecondary(reader_.map("secondary"));
     readPrimary(reader_.map("primary"));
+    readMotors();
     reader_.finish();
     return out_;
   }
@@ -117,7 +120,10 @@ class StructureReader {
 
   void readSecondary(rail::YamlReader reader) {
     const double z_m = reader.number("z_m", rail::positive());
-    for (rail::YamlReader& spring : reader.maps("springs")) {
+    std::vector<rail::YamlReader> springs = reader.maps("springs");
+    if (springs.empty() && reader.has("springs"))
+      reader.refuse("springs", "must have at least one: they carry the car");
+    for (rail::YamlReader& spring : springs) {
       const double x_m = spring.number("x_m", rail::notNegative());
       const double y_m = spring.number("y_m", rail::notNegative());
       const Vector3d stiffness = readStiffness(spring);
@@ -187,6 +193,21 @@ class StructureReader {
         out_.suspension.springs.push_back({"primary", set, bogie, from(set, p), from(bogie, p), stiffness,
                                            damping + Vector3d(0.0, 0.0, middle ? 0.0 : outer), true});
       }
+    }
+  }
+
+  /// Noses of the front bogie's motors; the rear bogie is its mirror image.
+  void readMotors() {
+    if (reader_.choiceOr("motor_reaction", {"couple", "nose"}, "couple") == "couple") return;
+    out_.motor_reaction = MotorReaction::kNose;
+    const std::vector<double> x_m = reader_.numbers("motor_nose_x_m", rail::between(-3.0, 3.0));
+    if (x_m.size() != BodyLayout::kAxlesPerBogie)
+      reader_.refuse("motor_nose_x_m", "must be three places, from the front");
+    for (std::size_t i = 0; i < x_m.size() && i < BodyLayout::kAxlesPerBogie; ++i) {
+      constexpr double kShortest_m = 0.1;  // chosen: a nose on the axle would need an infinite force
+      if (std::abs(x_m[i]) < kShortest_m) reader_.refuse("motor_nose_x_m", "must be at least 0.1 m from the axle");
+      out_.motor_nose_x_m[i] = x_m[i];
+      out_.motor_nose_x_m[BodyLayout::kAxles - 1 - i] = -x_m[i];
     }
   }
 

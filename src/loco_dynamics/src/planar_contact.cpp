@@ -1,8 +1,5 @@
 #include "loco_dynamics/planar_contact.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "loco_dynamics/contact/creepage.hpp"
 
 namespace loco {
@@ -39,29 +36,27 @@ PlanarContact::Parameters PlanarContact::read(rail::YamlReader reader, double wh
   p.elasticity.young_Pa = reader.number("young_modulus_Pa", rail::positive());
   p.elasticity.poisson = reader.number("poisson_ratio", rail::between(0.0, 0.5));
   p.shear_modulus_Pa = reader.number("shear_modulus_Pa", rail::positive());
+  if (reader.choiceOr("normal_law", {"hertz", "linear"}, "hertz") == "linear") {
+    p.normal_law = NormalLaw::kLinear;
+    p.linear_stiffness_N_per_m = reader.number("linear_stiffness_N_per_m", rail::positive());
+  }
   if (1.0 / p.rail_crown_radius_m + p.wheel_transverse_curvature_1pm <= 0.0)
     reader.refuse("wheel_transverse_curvature_1pm", "must be less hollow than the rail's crown is round");
   reader.finish();
   return p;
 }
 
+NormalContact PlanarContact::makeNormalContact(const Parameters& p) {
+  const RelativeCurvature curvature{1.0 / p.wheel_radius_m,
+                                    1.0 / p.rail_crown_radius_m + p.wheel_transverse_curvature_1pm};
+  return NormalContact({curvature, p.elasticity, p.normal_damping_N_s_per_m, p.normal_law, p.linear_stiffness_N_per_m});
+}
+
 PlanarContact::PlanarContact(const Parameters& parameters, const RailConditions& rail)
-    : parameters_(parameters),
-      hertz_({1.0 / parameters.wheel_radius_m,
-              1.0 / parameters.rail_crown_radius_m + parameters.wheel_transverse_curvature_1pm},
-             parameters.elasticity),
-      kalker_(computeKalkerCoefficients(hertz_.aOverB(), parameters.elasticity.poisson)),
+    : shear_modulus_Pa_(parameters.shear_modulus_Pa),
+      normal_(makeNormalContact(parameters)),
+      kalker_(computeKalkerCoefficients(normal_.hertz().aOverB(), parameters.elasticity.poisson)),
       creep_(withoutGrid(rail)) {}
-
-double PlanarContact::computeNormalForce(double approach_m, double approach_rate_mps) const {
-  if (approach_m <= 0.0) return 0.0;
-  return std::max(
-      0.0, hertz_.computeNormalForce(approach_m) + parameters_.normal_damping_N_s_per_m * approach_rate_mps);  // (P1)
-}
-
-double PlanarContact::computeStoredEnergy(double approach_m) const {
-  return approach_m <= 0.0 ? 0.0 : 0.4 * hertz_.computeNormalForce(approach_m) * approach_m;  // integral of K d^1.5
-}
 
 PlanarContact::AxleForce PlanarContact::computeAxleForce(double normal_N, double slip_mps, double v_mps,
                                                          double location_m) const {
@@ -69,8 +64,8 @@ PlanarContact::AxleForce PlanarContact::computeAxleForce(double normal_N, double
   const CreepLaw& law = creep_.at(location_m);
   result.static_friction = law.parameters().friction.mu0;
   if (normal_N <= 0.0) return result;
-  const HertzContact::Ellipse ellipse = hertz_.computeEllipse(normal_N);
-  const ContactPatch patch{ellipse.a_m, ellipse.b_m, normal_N, parameters_.shear_modulus_Pa, kalker_};
+  const HertzContact::Ellipse ellipse = normal_.hertz().computeEllipse(normal_N);
+  const ContactPatch patch{ellipse.a_m, ellipse.b_m, normal_N, shear_modulus_Pa_, kalker_};
   constexpr double kSlipStep_mps = 1e-5;  // chosen: far below the slip at which the law bends
   const CreepForce force = forceOf(law, patch, slip_mps, v_mps);
   result.force_N = force.x_N;

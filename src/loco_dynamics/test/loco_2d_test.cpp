@@ -1,74 +1,17 @@
 #include "loco_dynamics/loco_2d.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "loco_dynamics/contact/contact_config.hpp"
+#include "loco_2d_fixtures.hpp"
 
 namespace {
 
+using fixtures::kWeight_N;
+using fixtures::paperParameters;
+using fixtures::Ride;
 using loco::BodyLayout;
 using loco::Loco2d;
 
-constexpr double kWeight_N = 134000.0 * 9.81;
-constexpr rail::Nanoseconds kMacro = 2000000, kMicro = 1000000;
-
-template <typename Read>
-auto readFile(const std::string& file, Read read) {
-  rail::Problems problems;
-  const rail::Document document = rail::Document::load(std::string(CONFIG_DIR) + file, {}, problems);
-  const auto result = read(rail::YamlReader(document, problems));
-  problems.throwIfAny();
-  return result;
-}
-
-/// The paper's locomotive on the paper's rail. @param control  file in config/control
-Loco2d::Parameters paperParameters(const std::string& control = "pi_per_axle") {
-  Loco2d::Parameters p;
-  p.structure = readFile("/bodies/co_co_134t.yaml", loco::LocoStructure::read);
-  p.contact = {0.3, -2.25, 0.5335, 100e3, {210e9, 0.28}, 82e9};
-  p.rail.elsewhere = readFile("/adhesion/paper_table1.yaml", loco::readCreepLaw);
-  p.control = readFile("/control/" + control + ".yaml",
-                       [](rail::YamlReader reader) { return adhesion::readController(reader, kMicro); });
-  p.adhesion_limit = 0.35;
-  p.micro_step = kMicro;
-  return p;
-}
-
-/// A locomotive and the train that it feels as a force at its rear coupler, stepped together as LTD does it.
-struct Ride {
-  explicit Ride(const Loco2d::Parameters& parameters, double v_mps)
-      : locomotive(parameters), state(locomotive.equilibriumState(3000.0, v_mps)) {
-    force.step_length = kMacro;
-    force.speed_mps = v_mps;
-    force.rim_power_limit_W = 4.1e6;
-  }
-  void step() {
-    locomotive.step(state, force, answer);
-    ASSERT_TRUE(answer.failure.empty()) << answer.failure;
-    state = answer.state;
-    ltd_speed += 0.002 *
-                 (answer.traction_N + force.coupler_front_N + force.coupler_rear_N + force.grade_N +
-                  force.propulsion_resistance_N + force.curving_resistance_N) /
-                 134000.0;
-    force.speed_mps = ltd_speed;
-    ++force.step;
-  }
-  void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds / 0.002); ++i) step();
-  }
-  Loco2d locomotive;
-  std::vector<double> state;
-  loco::LocoForce force;
-  loco::LocoTraction answer;
-  double ltd_speed = 0.0;
-};
-
 Ride makeRide(double v_mps, const std::string& control = "pi_per_axle") {
-  Ride ride(paperParameters(control), v_mps);
-  ride.ltd_speed = v_mps;
-  return ride;
+  return Ride(paperParameters(control), v_mps);
 }
 
 double sumOfLoads(const loco::LocoTraction& answer) {
@@ -156,17 +99,6 @@ TEST(Loco2dTest, UnderControlItSlipsAtSevenPerCentAndNothingOscillates) {
   }
 }
 
-TEST(Loco2dTest, ContactEnergyIsTheIntegralOfTheNormalForce) {
-  const loco::PlanarContact contact(paperParameters().contact, paperParameters().rail);
-  for (const double approach_m : {2e-5, 9e-5, 2e-4}) {
-    const double d = 1e-8;  // central difference: relative error (d/approach)^2, 2.5e-7 at worst
-    const double slope =
-        (contact.computeStoredEnergy(approach_m + d) - contact.computeStoredEnergy(approach_m - d)) / (2.0 * d);
-    EXPECT_NEAR(slope, contact.computeNormalForce(approach_m, 0.0), 1e-5 * slope);
-  }
-  EXPECT_EQ(contact.computeStoredEnergy(-1e-4), 0.0);
-}
-
 TEST(Loco2dTest, AtSteadySpeedTheRimsPayTheRailsWorkAndTheSlip) {
   Ride ride = makeRide(4.42);
   ride.force.traction_reference_N = 490e3;
@@ -208,21 +140,6 @@ TEST(Loco2dTest, IsAPureFunctionOfStateAndForce) {
   ride.step();
   fresh.step(before, force, again);
   EXPECT_TRUE(loco::samePayload(ride.answer, again));
-}
-
-TEST(Loco2dTest, HalvingTheMicroStepLeavesTheForceAlone) {
-  double force_N[2];
-  for (int k = 0; k < 2; ++k) {
-    Loco2d::Parameters p = paperParameters();
-    p.micro_step = k == 0 ? kMicro : kMicro / 2;
-    Ride ride(p, 4.42);
-    ride.ltd_speed = 4.42;
-    ride.force.traction_reference_N = 490e3;
-    ride.force.coupler_rear_N = -400e3;
-    ride.run(8.0);
-    force_N[k] = ride.answer.traction_N;
-  }
-  EXPECT_NEAR(force_N[0], force_N[1], 100.0);  // 0.1 kN
 }
 
 }  // namespace

@@ -67,4 +67,42 @@ TEST(LocoFactoryTest, RefusesAModelThatDoesNotExistAndAPathThatLeadsNowhere) {
   EXPECT_NE(problems.lines()[1].find("has no entry 9"), std::string::npos);
 }
 
+/// What is refused of the paper's 2D locomotive with this in its scenario, without the file's name.
+std::vector<std::string> faultsOfThePapersLocomotive(const std::vector<rail::Override>& overrides) {
+  rail::Problems problems;
+  const rail::Document document =
+      rail::Document::load(std::string(CONFIG_DIR) + "/scenarios/paper_2d.yaml", overrides, problems);
+  const auto locomotive = loco::makeLocomotive(document, "train.groups.0.vehicle", problems);
+  EXPECT_EQ(locomotive == nullptr, !problems.empty());
+  std::vector<std::string> lines = problems.lines();
+  for (std::string& line : lines) line.erase(0, line.find(": ") + 2);
+  return lines;
+}
+
+TEST(LocoFactoryTest, BodiesThatDoNotWeighWhatTheVehicleDoesAreRefused) {
+  EXPECT_EQ(faultsOfThePapersLocomotive({}), std::vector<std::string>());
+  const std::string rule = ": must be the sum of the bodies' masses, ";
+  EXPECT_EQ(faultsOfThePapersLocomotive({{"train.groups.0.vehicle.mass_kg", "134001"}}),
+            std::vector<std::string>{"train.groups.0.vehicle.mass_kg = 134001" + rule + "134000.000000 kg"});
+  EXPECT_EQ(faultsOfThePapersLocomotive({{"train.groups.0.vehicle.bodies.wheelsets.mass_kg", "3401"}}),
+            std::vector<std::string>{"mass_kg = 134000" + rule + "134006.000000 kg"});
+}
+
+TEST(LocoFactoryTest, AMicroStepBeyondThatOfTheWheelsAtTheirStaticLoadIsRefused) {
+  const auto lines =
+      faultsOfThePapersLocomotive({{"steps.micro_step_s", "0.00151"}, {"steps.macro_step_s", "0.00302"}});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines.front().substr(0, 60), "steps.micro_step_s = 0.00151: must be at most 0.001507 s for");
+  EXPECT_EQ(faultsOfThePapersLocomotive({{"steps.micro_step_s", "0.0015"}, {"steps.macro_step_s", "0.003"}}),
+            std::vector<std::string>());
+}
+
+TEST(LocoFactoryTest, FaultsInBodiesContactAdhesionAndControlAreToldAtOnce) {
+  const auto lines = faultsOfThePapersLocomotive({{"train.groups.0.vehicle.bodies.primary.y_m", "0"},
+                                                  {"train.groups.0.vehicle.contact.poisson_ratio", "2"},
+                                                  {"adhesion.reduction.k0", "1.1"},
+                                                  {"control.slip_limit", "1.1"}});
+  EXPECT_EQ(lines.size(), 4u);
+}
+
 }  // namespace

@@ -178,6 +178,12 @@ void checkStep(rail::YamlReader& root, const Scenario& scenario) {
                                format(force_N / 1e6) + " MN, the sum of the locomotives' largest tractions");
 }
 
+/// The stiffest motion of each locomotive bounds the micro step.
+void checkMicroSteps(rail::YamlReader& root, const Scenario& scenario) {
+  for (const LocoUnit& unit : scenario.train.locomotives)
+    loco::checkMicroStep(root, unit.micro_step, scenario.train.vehicles[unit.vehicle].name, scenario.micro_step);
+}
+
 }  // namespace
 
 Scenario Scenario::load(const std::string& path, const std::vector<rail::Override>& overrides) {
@@ -210,6 +216,7 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   if (sections_known && track_known) checkRailSections(root, sections, scenario.track);
   if (train_known && run_known && track_known) checkPlaces(root, scenario);
   if (train_known && step_known) checkStep(root, scenario);
+  if (train_known && step_known) checkMicroSteps(root, scenario);
   problems.throwIfAny();
   return scenario;
 }

@@ -38,7 +38,8 @@ class BodyDynamics {
   /// Adds gravity and the suspension's forces at this state; see addSuspensionForces for damper_x_m.
   void addInnerForces(BodyState& state, double h, BodyVector& loads);
 
-  /// Takes the step (B1). @return empty, or the body and degree of freedom whose velocity is not a number
+  /// Takes the step (B1). @return empty, or the body and degree of freedom whose velocity is not a number, or that is
+  /// more than 1 m or 1 rad from its place
   std::string step(const BodyVector& loads, double h, BodyState& state) const;
 
   /// Energy that the suspension's dampers took in the step just done [J], between these velocities.

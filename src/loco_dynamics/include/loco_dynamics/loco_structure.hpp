@@ -1,10 +1,18 @@
 #pragma once
 
+#include <array>
+
 #include "loco_dynamics/body_layout.hpp"
 #include "loco_dynamics/suspension.hpp"
 #include "rail_core/yaml_reader.hpp"
 
 namespace loco {
+
+/// Where the motors' reaction goes.
+enum class MotorReaction {
+  kCouple,  ///< a couple on the bogie frame
+  kNose     ///< a pair of vertical forces, on the axle and on the frame at the motor's nose
+};
 
 /// Bodies and suspension of a locomotive with two bogies of three axles, as its file gives them (config/bodies/*.yaml).
 /// The same for the models of 27 and of 54 degrees of freedom. Constant.
@@ -13,6 +21,8 @@ struct LocoStructure {
   double coupler_x_m = 0.0, coupler_z_m = 0.0;
   std::vector<Body> bodies;
   Suspension suspension;
+  MotorReaction motor_reaction = MotorReaction::kCouple;
+  std::array<double, BodyLayout::kAxles> motor_nose_x_m{};  ///< from its axle, + forward; not 0 if it is kNose
 
   double totalMass() const;
 

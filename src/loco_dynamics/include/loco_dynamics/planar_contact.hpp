@@ -1,15 +1,14 @@
 #pragma once
 
-#include "loco_dynamics/contact/hertz.hpp"
+#include "loco_dynamics/contact/normal_contact.hpp"
 #include "loco_dynamics/contact/rail_conditions.hpp"
 #include "rail_core/yaml_reader.hpp"
 
 namespace loco {
 
 /// Contact of a wheelset that stays in the middle of straight track: both wheels alike, one constant geometry.
-/// Constant.
-///   N = K delta^1.5 + c delta',  N >= 0                                                                   (P1)
-/// for each wheel; the creep force of both wheels together from the creep law, longitudinal creep only.
+/// Constant. Normal force of each wheel by (P1); the creep force of both wheels together from the creep law,
+/// longitudinal creep only.
 class PlanarContact {
  public:
   struct Parameters {
@@ -19,19 +18,25 @@ class PlanarContact {
     double normal_damping_N_s_per_m = 0.0;  ///< c, a wheel
     Elasticity elasticity;
     double shear_modulus_Pa = 82e9;
+    NormalLaw normal_law = NormalLaw::kHertz;
+    double linear_stiffness_N_per_m = 0.0;  ///< a wheel, if the law is linear
   };
   /// Reads rail_crown_radius_m, wheel_transverse_curvature_1pm, normal_damping_N_s_per_m, young_modulus_Pa,
-  /// poisson_ratio, shear_modulus_Pa; finishes the reader.
+  /// poisson_ratio, shear_modulus_Pa and, optional, normal_law with linear_stiffness_N_per_m if it is linear; finishes
+  /// the reader.
   static Parameters read(rail::YamlReader reader, double wheel_radius_m);
 
   PlanarContact(const Parameters& parameters, const RailConditions& rail);
+  /// One wheel's normal contact alone.
+  static NormalContact makeNormalContact(const Parameters& parameters);
 
   /// Force of one wheel [N], >= 0, at approach delta [m] and its rate [m/s].
-  double computeNormalForce(double approach_m, double approach_rate_mps) const;
+  double computeNormalForce(double approach_m, double approach_rate_mps) const {
+    return normal_.computeForce(approach_m, approach_rate_mps);
+  }
   /// Elastic energy of one wheel's contact [J].
-  double computeStoredEnergy(double approach_m) const;
-  double computeApproach(double normal_N) const { return hertz_.computeApproach(normal_N); }
-  double computeTangentStiffness(double approach_m) const { return hertz_.computeTangentStiffness(approach_m); }
+  double computeStoredEnergy(double approach_m) const { return normal_.computeStoredEnergy(approach_m); }
+  double computeApproach(double normal_N) const { return normal_.computeApproach(normal_N); }
 
   struct AxleForce {
     double force_N = 0.0;          ///< of both wheels on the wheelset, + forward
@@ -46,8 +51,8 @@ class PlanarContact {
   AxleForce computeAxleForce(double normal_N, double slip_mps, double v_mps, double location_m) const;
 
  private:
-  Parameters parameters_;
-  HertzContact hertz_;
+  double shear_modulus_Pa_;
+  NormalContact normal_;
   KalkerCoefficients kalker_;
   CreepLawByPlace creep_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -11,9 +12,12 @@
 
 namespace loco {
 
-/// Motors and adhesion control of a locomotive with bodies: from LTD's traction reference to a torque on each wheelset
-/// and its reaction, a couple on the bogie frame. Constant but for what the axles did last; its state is in the
-/// caller's hands.
+/// Motors and adhesion control of a locomotive with bodies: from LTD's traction reference to a torque T on each
+/// wheelset and its reaction: a couple -T on the bogie frame or, if a motor hangs on its axle and has its nose on the
+/// frame at d from it, vertical forces                                                                      (M1)
+///   T/d on the frame at the nose, -T/d on the wheelset
+/// Constant but for what the axles did last; its state is in the caller's hands. Not modelled: the motors' own mass
+/// moving apart from the frame.
 class TractionDrive {
  public:
   TractionDrive(const LocoStructure& structure, const adhesion::ControlParameters& control, double adhesion_limit,
@@ -35,11 +39,20 @@ class TractionDrive {
   /// Work of all torques in the step just taken, with the means of its velocities [J].
   struct Work {
     double rims = 0.0;    ///< at the wheels' rims: torque times spin of the wheelset
-    double motors = 0.0;  ///< of the motors: torque times spin of the wheelset against its bogie frame
+    double motors = 0.0;  ///< of the motors: torque times spin of the wheelset against the housing
   };
   Work computeWork(const BodyVector& v_mean, double h) const;
 
+  /// Speed at which a motor's housing turns, + as a wheel that rolls forward [rad/s].
+  double housingSpeed(const BodyVector& v, std::size_t axle) const;
+
  private:
+  struct Nose {
+    double x_axle_m = 0.0;   ///< d: from the axle
+    double x_frame_m = 0.0;  ///< from the frame's CoG
+  };
+  MotorReaction reaction_;
+  std::array<Nose, BodyLayout::kAxles> noses_{};
   std::unique_ptr<const adhesion::AdhesionController> controller_;
   adhesion::TorqueLimit limit_;
   bool rim_power_limit_;
