@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "contact_fixtures.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -13,18 +15,23 @@ using loco::CreepMethod;
 
 constexpr double kPi = 3.14159265358979323846;
 
-TEST(ClosedFormTest, HasTheValuesOfPhysicsSection4) {
-  const double half_a_digit = 0.5e-5;
-  EXPECT_NEAR(computeClosedForm(0.05), 0.06227, half_a_digit);
-  EXPECT_NEAR(computeClosedForm(0.2), 0.23286, half_a_digit);
-  EXPECT_NEAR(computeClosedForm(0.5), 0.50717, half_a_digit);
-  EXPECT_NEAR(computeClosedForm(1.0), 0.79963, half_a_digit);
-  EXPECT_NEAR(computeClosedForm(1.3), 0.89889, half_a_digit);
-  EXPECT_NEAR(computeClosedForm(2.0), 0.99161, half_a_digit);
+TEST(ClosedFormTest, HasTheValuesOfAnIndependentComputation) {
+  const auto check = [](double x, double expected) {
+    char what[48];
+    std::snprintf(what, sizeof what, "F/(mu N) at x = %g", x);
+    rail::verify(
+        {"2", what, "closed form by other hands", "1", expected, computeClosedForm(x), 0.5e-5, "last digit given"});
+  };
+  check(0.05, 0.06227);
+  check(0.2, 0.23286);
+  check(0.5, 0.50717);
+  check(1.0, 0.79963);
+  check(1.3, 0.89889);
+  check(2.0, 0.99161);
 }
 
 TEST(ClosedFormTest, SlipsFullyFrom8Over3On) {
-  EXPECT_EQ(computeClosedForm(8.0 / 3.0), 1.0);
+  rail::verify({"2", "F/(mu N) at x = 8/3, full slip", "exact", "1", 1.0, computeClosedForm(8.0 / 3.0), 0.0, "exact"});
   EXPECT_EQ(computeClosedForm(100.0), 1.0);
   EXPECT_LT(computeClosedForm(8.0 / 3.0 - 0.05), 1.0 - 1e-7);
   EXPECT_NEAR(computeClosedForm(8.0 / 3.0 - 1e-6), 1.0, 1e-12);  // meets full slip with slope 0

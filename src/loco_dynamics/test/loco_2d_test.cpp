@@ -1,6 +1,7 @@
 #include "loco_dynamics/loco_2d.hpp"
 
 #include "loco_2d_fixtures.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -23,7 +24,8 @@ double sumOfLoads(const loco::LocoTraction& answer) {
 TEST(Loco2dTest, AtRestOnLevelTrackItStaysAtRest) {
   Ride ride = makeRide(0.0);
   ride.run(1.0);
-  EXPECT_NEAR(ride.answer.speed_mps, 0.0, 1e-9);  // round-off of springs under 1.3 MN
+  rail::verify({"1", "2D: speed after 1 s at rest on level track", "exact", "m/s", 0.0, ride.answer.speed_mps, 1e-9,
+                "round-off of springs under 1.3 MN"});
   EXPECT_NEAR(ride.answer.traction_N, 0.0, 1e-3);
   for (const loco::AxleAdhesion& axle : ride.answer.adhesion.axles)
     EXPECT_NEAR(axle.normal_force_N, kWeight_N / 6.0, 1e-3);
@@ -32,7 +34,8 @@ TEST(Loco2dTest, AtRestOnLevelTrackItStaysAtRest) {
 TEST(Loco2dTest, RollingFreelyItKeepsItsMomentumAndItsEnergy) {
   Ride ride = makeRide(10.0);
   ride.run(5.0);
-  EXPECT_NEAR(ride.answer.speed_mps, 10.0, 1e-9);
+  rail::verify(
+      {"1", "2D: speed after 5 s of free rolling", "exact", "m/s", 10.0, ride.answer.speed_mps, 1e-9, "round-off"});
   EXPECT_NEAR(ride.answer.work_slip_J, 0.0, 1e-9);
 }
 
@@ -124,8 +127,8 @@ TEST(Loco2dTest, WithoutControlTheWheelsRaceAndOnlyKineticFrictionIsLeft) {
   ride.force.coupler_rear_N = -184.04e3;
   ride.run(30.0);
   EXPECT_GT(ride.answer.adhesion.axles[0].creep * ride.answer.speed_mps, 32.0);
-  EXPECT_NEAR(ride.answer.traction_N, 0.4 * 0.35 * kWeight_N,
-              30.0);  // A mu0 m g = 184.04 kN; e^(-B w) still gives 1e-4
+  rail::verify({"4", "no control, beyond 32 m/s of slip: A mu0 m g", "exact", "N", 184.04e3, ride.answer.traction_N,
+                30.0, "exp(-B w) still gives 1e-4"});
 }
 
 TEST(Loco2dTest, IsAPureFunctionOfStateAndForce) {

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "loco_2d_fixtures.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -36,13 +38,31 @@ bool alike(std::string a, std::string b) {
   return a == b;
 }
 
-void expectModes(const std::vector<Mode>& modes, const std::vector<Expected>& all) {
+/// Of the modes of that name the one that is closest in frequency and damping, in tolerances.
+const Mode& nearest(const std::vector<Mode>& modes, const Expected& e) {
+  const auto distance = [&e](const Mode& m) {
+    return alike(m.name, e.name) ? std::abs(m.frequency_Hz - e.frequency_Hz) / e.frequency_tolerance +
+                                       std::abs(m.damping - e.damping) / e.damping_tolerance
+                                 : std::numeric_limits<double>::infinity();
+  };
+  return *std::min_element(modes.begin(), modes.end(),
+                           [&](const Mode& a, const Mode& b) { return distance(a) < distance(b); });
+}
+
+/// @param number, words  for the page of validation: of the case, and before the mode's name
+void expectModes(const std::vector<Mode>& modes, const std::vector<Expected>& all, const std::string& number,
+                 const std::string& words) {
   for (const Expected& e : all) {
     const bool found = std::any_of(modes.begin(), modes.end(), [&](const Mode& m) {
       return alike(m.name, e.name) && std::abs(m.frequency_Hz - e.frequency_Hz) <= e.frequency_tolerance &&
              std::abs(m.damping - e.damping) <= e.damping_tolerance;
     });
     EXPECT_TRUE(found) << e.name << " " << e.frequency_Hz << " Hz, zeta " << e.damping;
+    const Mode& m = nearest(modes, e);
+    rail::verify({number, words + e.name + ", frequency", "independent model", "Hz", e.frequency_Hz, m.frequency_Hz,
+                  e.frequency_tolerance, "last digit given"});
+    rail::verify({number, words + e.name + ", damping ratio", "independent model", "1", e.damping, m.damping,
+                  e.damping_tolerance, "last digit given"});
   }
   if (!::testing::Test::HasFailure()) return;
   for (const Mode& m : modes) std::cout << m.name << " " << m.frequency_Hz << " Hz, zeta " << m.damping << '\n';
@@ -57,17 +77,21 @@ const std::vector<Expected> kOthers = {
 
 TEST(ModesTest, WithYawDampersInRigidEndsTheyAreThoseOfAnIndependentModel) {
   const std::vector<Mode> modes = loco::computeModes(caseSix(false));
-  expectModes(modes, kOthers);
-  expectModes(modes, {{"bogie frame 1, longitudinal", 1.348, .001, .803, .001},
-                      {"car body, longitudinal", 1.649, .001, .979, .001},
-                      {"bogie frame 1, longitudinal", 36.0, .1, .027, .001}});
+  expectModes(modes, kOthers, "6", "");
+  expectModes(modes,
+              {{"bogie frame 1, longitudinal", 1.348, .001, .803, .001},
+               {"car body, longitudinal", 1.649, .001, .979, .001},
+               {"bogie frame 1, longitudinal", 36.0, .1, .027, .001}},
+              "6", "yaw dampers in rigid ends: ");
 }
 
 TEST(ModesTest, TheYawDampersSeriesSpringsMoveTheForeAndAftModesOnly) {
   const std::vector<Mode> modes = loco::computeModes(caseSix(true));
-  expectModes(modes, kOthers);
-  expectModes(modes, {{"bogie frame 1, longitudinal", 1.381, .001, .822, .001},
-                      {"bogie frame 1, longitudinal", 36.5, .1, .019, .001}});
+  expectModes(modes, kOthers, "6", "");
+  expectModes(
+      modes,
+      {{"bogie frame 1, longitudinal", 1.381, .001, .822, .001}, {"bogie frame 1, longitudinal", 36.5, .1, .019, .001}},
+      "6", "45 MN/m in series: ");
 }
 
 /// Verification case 9, its modes: wheelsets locked to the track, Table 2 with 10 kN s/m in all directions, yaw dampers
@@ -80,15 +104,17 @@ TEST(ModesTest, SpatialModesOnHeldWheelsetsAreThoseOfAnIndependentModel) {
   for (const std::size_t body : {BodyLayout::kCar, BodyLayout::bogie(0), BodyLayout::bogie(1)})
     for (const loco::Dof dof : {loco::kY, loco::kRoll, loco::kYaw}) coordinates.push_back({body, dof});
   const std::vector<Mode> modes = loco::computeModes(loco::linearise(s, coordinates, kWheel, {}));
-  expectModes(modes, {{"car body, lateral", .662, .001, .115, .001},  // lower sway
-                      {"car body, yaw", .921, .001, .150, .001},
-                      {"car body, roll", 1.577, .001, .269, .001},  // upper sway
-                      {"bogie frame 1, lateral", 5.836, .001, .176, .001},
-                      {"bogie frame 1, lateral", 5.857, .001, .178, .001},
-                      {"bogie frame 1, yaw", 15.592, .001, .082, .001},
-                      {"bogie frame 1, yaw", 15.594, .001, .081, .001},
-                      {"bogie frame 1, roll", 26.67, .01, .220, .001},
-                      {"bogie frame 1, roll", 27.20, .01, .204, .001}});
+  expectModes(modes,
+              {{"car body, lateral", .662, .001, .115, .001},  // lower sway
+               {"car body, yaw", .921, .001, .150, .001},
+               {"car body, roll", 1.577, .001, .269, .001},  // upper sway
+               {"bogie frame 1, lateral", 5.836, .001, .176, .001},
+               {"bogie frame 1, lateral", 5.857, .001, .178, .001},
+               {"bogie frame 1, yaw", 15.592, .001, .082, .001},
+               {"bogie frame 1, yaw", 15.594, .001, .081, .001},
+               {"bogie frame 1, roll", 26.67, .01, .220, .001},
+               {"bogie frame 1, roll", 27.20, .01, .204, .001}},
+              "9", "held wheelsets: ");
 }
 
 TEST(ModesTest, AShapeTellsWhoMovesWithWhom) {

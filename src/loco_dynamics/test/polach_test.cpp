@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact_fixtures.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -24,24 +25,30 @@ double forceAt(const CreepLaw& law, double creep) {
   return -law.computeForce(fixtures::tablePatch(), {creep, 0.0, 0.0, 10.0 * creep}).x_N;
 }
 
-TEST(PolachTest, DryRailHasTheForcesOfPhysicsCase3) {
-  const CreepLaw dry = polach(0.55, 0.60, 1.0, 0.40);
-  EXPECT_NEAR(forceAt(dry, 0.001), 6425.0, 0.5);  // whole newtons are given
-  EXPECT_NEAR(forceAt(dry, 0.005), 25036.0, 0.5);
-  EXPECT_NEAR(forceAt(dry, 0.01), 33069.0, 0.5);
-  EXPECT_NEAR(forceAt(dry, 0.02), 37959.0, 0.5);
-  EXPECT_NEAR(forceAt(dry, 0.05), 41044.0, 0.5);
-  EXPECT_NEAR(forceAt(dry, 0.1), 38024.0, 0.5);
+void checkForce(const std::string& rail, double creep, double expected_N, double computed_N) {
+  char what[64];
+  std::snprintf(what, sizeof what, "Polach, %s rail, creep %g, 6 x 4 mm, 100 kN, 10 m/s", rail.c_str(), creep);
+  rail::verify({"3", what, "independent computation", "N", expected_N, computed_N, 0.5, "whole newtons are given"});
 }
 
-TEST(PolachTest, WetRailHasTheForcesOfPhysicsCase3) {
+TEST(PolachTest, DryRailHasTheForcesThatAnIndependentComputationGives) {
+  const CreepLaw dry = polach(0.55, 0.60, 1.0, 0.40);
+  checkForce("dry", 0.001, 6425.0, forceAt(dry, 0.001));
+  checkForce("dry", 0.005, 25036.0, forceAt(dry, 0.005));
+  checkForce("dry", 0.01, 33069.0, forceAt(dry, 0.01));
+  checkForce("dry", 0.02, 37959.0, forceAt(dry, 0.02));
+  checkForce("dry", 0.05, 41044.0, forceAt(dry, 0.05));
+  checkForce("dry", 0.1, 38024.0, forceAt(dry, 0.1));
+}
+
+TEST(PolachTest, WetRailHasTheForcesThatAnIndependentComputationGives) {
   const CreepLaw wet = polach(0.30, 0.20, 0.30, 0.10);
-  EXPECT_NEAR(forceAt(wet, 0.001), 1852.0, 0.5);
-  EXPECT_NEAR(forceAt(wet, 0.005), 8457.0, 0.5);
-  EXPECT_NEAR(forceAt(wet, 0.01), 13578.0, 0.5);
-  EXPECT_NEAR(forceAt(wet, 0.02), 17242.0, 0.5);
-  EXPECT_NEAR(forceAt(wet, 0.05), 20777.0, 0.5);
-  EXPECT_NEAR(forceAt(wet, 0.1), 22810.0, 0.5);
+  checkForce("wet", 0.001, 1852.0, forceAt(wet, 0.001));
+  checkForce("wet", 0.005, 8457.0, forceAt(wet, 0.005));
+  checkForce("wet", 0.01, 13578.0, forceAt(wet, 0.01));
+  checkForce("wet", 0.02, 17242.0, forceAt(wet, 0.02));
+  checkForce("wet", 0.05, 20777.0, forceAt(wet, 0.05));
+  checkForce("wet", 0.1, 22810.0, forceAt(wet, 0.1));
 }
 
 TEST(PolachTest, SmallCreepagesAndSpinGiveKalkersForces) {

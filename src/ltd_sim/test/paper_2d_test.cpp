@@ -10,6 +10,7 @@
 
 #include "loco_dynamics/loco_2d.hpp"
 #include "loco_dynamics/loco_factory.hpp"
+#include "rail_core/testing/verification.hpp"
 #include "train_fixtures.hpp"
 
 namespace {
@@ -106,9 +107,12 @@ TEST(Paper2dTest, EnergiesAtRailAndRimAreThoseOfAnIndependentModel) {
 TEST(Paper2dTest, AccountsOfTrainAndLocomotiveCloseAndTheirSpeedsAgree) {
   const PaperRun& run = atTheDefaultSteps();
   EXPECT_EQ(run.outcome.reason, "reached 4.500 km");
-  EXPECT_LT(std::abs(run.state.account.residualRelative()), 1e-7);  // 3.0e-8
-  EXPECT_LT(std::abs(run.residual_J), 1e-9 * run.motors_J);         // 3e-12; 1e-6 was asked for
-  EXPECT_LT(run.drift_mps, 1e-11);                                  // 4e-13; 1e-10 was asked for
+  rail::verify({"7", "paper_2d: residual of the train's account over the traction work", "exact", "1", 0.0,
+                run.state.account.residualRelative(), 1e-7, "1e-6 is asked for"});
+  rail::verify({"7", "paper_2d: residual of the locomotive's account over the motors' work", "exact", "1", 0.0,
+                run.residual_J / run.motors_J, 1e-9, "1e-6 is asked for"});
+  rail::verify({"7", "paper_2d: largest difference of a CoG's speed from LTD's", "exact", "m/s", 0.0, run.drift_mps,
+                1e-11, "1e-10 is asked for"});
 }
 
 TEST(Paper2dTest, LoadMovesToTheRearOfEachBogieAndOfTheLocomotive) {
@@ -141,8 +145,9 @@ TEST(Paper2dTest, ShorterStepsLeaveTheForcesAlone) {
   const LeadingLoco& coarse = atTheDefaultSteps().lead;
   const PaperRun fine =
       runPaper({{"steps.macro_step_s", "0.001"}, {"steps.micro_step_s", "0.0005"}, {"run.end_location_km", "3.46"}});
-  for (const double s_m : {3150.0, 3450.0})
-    EXPECT_NEAR(coarse.at(s_m).traction_N, fine.lead.at(s_m).traction_N, 100.0) << s_m;  // 0.1 kN
+  for (const auto& [s_m, km] : {std::pair{3150.0, "3.15"}, {3450.0, "3.45"}})
+    rail::verify({"8", std::string("paper_2d: force at ") + km + " km, steps 2 and 1 ms", "1 and 0.5 ms", "N",
+                  fine.lead.at(s_m).traction_N, coarse.at(s_m).traction_N, 100.0, "0.1 kN is asked for"});
 }
 
 TEST(Paper2dTest, OneControllerForEachBogieCostsAFewPerCentOfTheForce) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rail_core/testing/verification.hpp"
 #include "train_fixtures.hpp"
 
 namespace {
@@ -25,17 +26,19 @@ rail::Vehicle wagonWith(const rail::ResistanceCoefficients& c) {
 
 TEST(ResistanceTest, PaperWagonAtRestHas709Point96N) {
   EXPECT_NEAR(computePropulsionResistance(paperWagon(), 0.0), 120 * 2.943 + 120 * 89.2 / 30, kRoundOff);
-  EXPECT_NEAR(computePropulsionResistance(paperWagon(), 0.0), 709.96, kRoundOff);
+  rail::verify({"2", "wagon of 120 t at rest, Eq. (5)", "by hand", "N", 709.96,
+                computePropulsionResistance(paperWagon(), 0.0), kRoundOff, "round-off"});
 }
 
 TEST(ResistanceTest, WholePaperTrainAtRestHas77Point33kN) {
   const double sum_N =
       105 * computePropulsionResistance(paperWagon(), 0.0) + 3 * computePropulsionResistance(paperLoco(), 0.0);
-  EXPECT_NEAR(sum_N, 77334.486, 1e-6);  // 77.33 kN in docs/theory.md
+  rail::verify({"2", "the paper's train at rest, Eq. (5)", "by hand", "N", 77334.486, sum_N, 1e-6, "round-off"});
 }
 
 TEST(ResistanceTest, PaperWagonInR300Has2446Point4N) {
-  EXPECT_NEAR(computeCurvingResistance(paperWagon(), 1.0 / 300.0), 2446.4, kRoundOff);
+  rail::verify({"2", "wagon of 120 t in R300, Eq. (6)", "by hand", "N", 2446.4,
+                computeCurvingResistance(paperWagon(), 1.0 / 300.0), kRoundOff, "round-off"});
 }
 
 TEST(ResistanceTest, EachTermStandsAloneInItsOwnUnits) {
