@@ -77,7 +77,7 @@ bool Cosimulation::tryCommit() {
   if (!fault.empty()) {
     state_ = before_;
     end(Outcome::Kind::kFailed,
-        fault + " in step " + std::to_string(state_.step) + " at " + kilometres(leadingLocation()));
+        fault + " in step " + std::to_string(state_.step) + " at " + kilometres(locationOfFault()));
     return true;
   }
   for (std::size_t i = 0; i < ports_.size(); ++i) {
@@ -100,6 +100,13 @@ std::string Cosimulation::modelFailure() const {
     if (!answers_[i]->failure.empty()) return nameOf(i) + ": " + answers_[i]->failure;
   }
   return {};
+}
+
+/// That of the first locomotive that failed, or the leading one's.
+double Cosimulation::locationOfFault() const {
+  for (std::size_t i = 0; i < answers_.size(); ++i)
+    if (!answers_[i]->failure.empty()) return state_.s_m[scenario_.train.locomotives[i].vehicle];
+  return leadingLocation();
 }
 
 std::string Cosimulation::checkSpeeds() {

@@ -82,7 +82,7 @@ TEST(LocoAnswersTest, AModelsFailureIsToldInItsOwnWordsWhateverElseItAnswers) {
   };
   const OddRun end = runOddly(change);
   EXPECT_EQ(end.outcome.kind, Kind::kFailed);
-  EXPECT_EQ(end.outcome.reason, "loco_2: bogie 1 has left the car in step 100 at 3.000 km");
+  EXPECT_EQ(end.outcome.reason, "loco_2: bogie 1 has left the car in step 100 at 2.948 km");
   EXPECT_EQ(end.steps, 100u);
 }
 

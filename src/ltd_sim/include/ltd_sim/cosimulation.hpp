@@ -47,6 +47,7 @@ class Cosimulation {
  private:
   bool gatherAnswers();
   std::string modelFailure() const;
+  double locationOfFault() const;
   std::string checkSpeeds();
   void checkEnd();
   void guarded(const std::function<void()>& call);
