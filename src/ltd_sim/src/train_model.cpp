@@ -53,10 +53,7 @@ class TrainBuilder {
     LocoUnit unit;
     if (locomotive) {
       unit = readLocomotive(group, reader);
-      const std::size_t problems_before = reader.problems().count();
-      const loco::LocoDetails details = loco::readLocoDetails(reader, unit.model, vehicle.mass_kg);
-      if (reader.problems().count() == problems_before)
-        unit.micro_step = loco::computeMicroStepLimit(details, unit.model);
+      loco::readLocoDetails(reader, unit.model, vehicle);
     }
     // A locomotive whose wheelsets spin in its own model has their inertia there.
     const bool rotary_inertia = rotary_inertia_ && !(locomotive && loco::hasContacts(unit.model));
