@@ -38,18 +38,23 @@ class PeakFinder {
     double s_m, e_m;
   };
   void meetPeak(double s_m, const Overlap::Value& here) {
-    if (peaks_.count == kMostPeaks) return;
+    if (peaks_.count == kMostPeaks || cannotTouch(s_m, here)) return;
     const double at_m = findFlatPlace(overlap_, before_s_m_, before_.slope, s_m, here.slope);
     const double overlap_m = overlap_.at(at_m).overlap_m;
     if (overlap_m <= 0.0) return;
     peaks_.peak[peaks_.count] = {at_m, overlap_m, left_.s_m, 0.0, left_.e_m, 0.0};
     open_ = true;
   }
+  /// True if a peak between the last two nodes stays below zero by far: it lies under both ends' tangents, and twice
+  /// their rise leaves room for a curvature that changes.
+  bool cannotTouch(double s_m, const Overlap::Value& here) const {
+    const double step_m = s_m - before_s_m_;
+    return std::min(before_.overlap_m + 2.0 * before_.slope * step_m, here.overlap_m - 2.0 * here.slope * step_m) < 0.0;
+  }
   void meetValley(double s_m, const Overlap::Value& here) {
+    if (!open_) return;
     const double at_m = findFlatPlace(overlap_, before_s_m_, before_.slope, s_m, here.slope);
-    const double overlap_m = overlap_.at(at_m).overlap_m;
-    if (open_) close(at_m, overlap_m);
-    left_ = {at_m, overlap_m};
+    close(at_m, overlap_.at(at_m).overlap_m);
   }
   void close(double s_m, double overlap_m) {
     peaks_.peak[peaks_.count].right_m = s_m;

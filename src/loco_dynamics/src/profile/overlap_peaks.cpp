@@ -6,7 +6,7 @@ namespace loco {
 
 double findFlatPlace(const Overlap& overlap, double low_m, double low_slope, double high_m, double high_slope) {
   constexpr int kMostSteps = 12;
-  constexpr double kNear_m = 1e-8;
+  constexpr double kNear_m = 1e-7;
   double at_m = low_m;
   for (int step = 0; step < kMostSteps; ++step) {
     const double before_m = at_m;

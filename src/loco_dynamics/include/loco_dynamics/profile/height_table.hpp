@@ -23,7 +23,7 @@ class HeightTable {
   Value at(double y_m) const {
     const double along = (y_m - first_m_) * cells_per_m_;
     // the two outermost cells are straight lines, and hold for all that lies beyond
-    const auto i = static_cast<std::size_t>(std::min(std::max(along, 0.0), last_cell_));
+    const auto i = static_cast<std::size_t>(static_cast<int>(std::min(std::max(along, 0.0), last_cell_)));
     const Cell& cell = cells_[i];
     const double d = y_m - cell.y_m;
     return {cell.z_m + d * (cell.slope + d * (cell.c2 + d * cell.c3)), cell.slope + d * (2.0 * cell.c2 + 3.0 * d * cell.c3),
