@@ -8,15 +8,18 @@ namespace loco {
 
 namespace {
 
-/// Gauss and Legendre's rule of ten points: half of its nodes on (-1, 1) and their weights (Abramowitz, Stegun 25.4.29).
+/// Gauss and Legendre's rule of eight points: half of its nodes on (-1, 1) and their weights (Abramowitz, Stegun 25.4.29).
 struct GaussNode {
   double place, weight;
 };
-constexpr std::array<GaussNode, 5> kGauss{{{0.148874338981631211, 0.295524224714752870},
-                                           {0.433395394129247191, 0.269266719309996355},
-                                           {0.679409568299024406, 0.219086362515982044},
-                                           {0.865063366688984511, 0.149451349150580593},
-                                           {0.973906528517171720, 0.066671344308688138}}};
+constexpr std::array<GaussNode, 4> kGauss{{{0.183434642495649805, 0.362683783378361983},
+                                           {0.525532409916328986, 0.313706645877887287},
+                                           {0.796666477413626740, 0.222381034453374471},
+                                           {0.960289856497536232, 0.101228536290376259}}};
+
+// Stretches are cut at multiples of this, fixed on the wheel: where an end passes a cut, the sums go on smoothly. Chosen:
+// longer ones smear the jumps of curvature between a profile's arcs.
+constexpr double kPanel_m = 6e-3;
 
 void addPlace(RegionSums& sums, const Overlap& overlap, const PlaceOrigin& origin, double s_m, double weight_m) {
   const Overlap::Place place = overlap.placeAt(s_m);
@@ -34,13 +37,15 @@ void addPlace(RegionSums& sums, const Overlap& overlap, const PlaceOrigin& origi
   sums.weight_side += weight * place.rail_cos * place.rail_slope;
 }
 
-void addPeak(RegionSums& sums, const Overlap& overlap, const OverlapPeak& peak, const PlaceOrigin& origin) {
-  const double left_m = peak.left_e_m < 0.0 ? findEdge(overlap, peak, peak.left_m, peak.left_e_m) : peak.left_m;
-  const double right_m = peak.right_e_m < 0.0 ? findEdge(overlap, peak, peak.right_m, peak.right_e_m) : peak.right_m;
-  const double middle_m = 0.5 * (left_m + right_m), half_m = 0.5 * (right_m - left_m);
-  for (const GaussNode& node : kGauss) {
-    addPlace(sums, overlap, origin, middle_m - half_m * node.place, half_m * node.weight);
-    addPlace(sums, overlap, origin, middle_m + half_m * node.place, half_m * node.weight);
+void addStretch(RegionSums& sums, const Overlap& overlap, const PlaceOrigin& origin, double begin_m, double end_m) {
+  for (double panel = std::floor(begin_m / kPanel_m) + 1.0; begin_m < end_m; panel += 1.0) {
+    const double next_m = std::min(std::max(panel * kPanel_m, begin_m), end_m);
+    const double middle_m = 0.5 * (begin_m + next_m), half_m = 0.5 * (next_m - begin_m);
+    for (const GaussNode& node : kGauss) {
+      addPlace(sums, overlap, origin, middle_m - half_m * node.place, half_m * node.weight);
+      addPlace(sums, overlap, origin, middle_m + half_m * node.place, half_m * node.weight);
+    }
+    begin_m = next_m;
   }
 }
 
@@ -66,9 +71,16 @@ double RegionSums::computeVariance_m2() const {
 RegionSums computeRegionSums(const Overlap& overlap, const OverlapPeaks& peaks, std::size_t first, std::size_t last) {
   const Overlap::Place near = overlap.placeAt(peaks.peak[0].s_m);
   RegionSums sums;
+  double begin_m = 0.0;
+  bool open = false;
   for (std::size_t i = first; i <= last; ++i) {
-    sums.overlap_m = std::max(sums.overlap_m, peaks.peak[i].overlap_m);
-    addPeak(sums, overlap, peaks.peak[i], {near.y_m, near.rail_z_m});
+    const OverlapPeak& peak = peaks.peak[i];
+    sums.overlap_m = std::max(sums.overlap_m, peak.overlap_m);
+    if (!open) begin_m = peak.left_e_m < 0.0 ? findEdge(overlap, peak, peak.left_m, peak.left_e_m) : peak.left_m;
+    open = i < last && peak.right_e_m >= 0.0;  // no cut in a valley that overlaps: the valley may have come up just now
+    if (open) continue;
+    const double end_m = peak.right_e_m < 0.0 ? findEdge(overlap, peak, peak.right_m, peak.right_e_m) : peak.right_m;
+    addStretch(sums, overlap, {near.y_m, near.rail_z_m}, begin_m, end_m);
   }
   return sums;
 }
