@@ -73,14 +73,14 @@ class PeakFinder {
   End left_{};         ///< where the next peak's stretch begins
 };
 
-ContactRegion makeRegion(const Overlap& overlap, const RegionSums& sums, double share) {
-  const Overlap::Place place = overlap.placeAt(sums.weight_s / sums.weight);
+ContactRegion makeRegion(const Overlap& overlap, const RegionShape& shape, double share) {
+  const Overlap::Place place = overlap.placeAt(shape.s_m);
   ContactRegion region;
   region.p_T = {place.x_m, place.y_m, -place.rail_z_m};
-  region.angle_rad = std::atan2(-sums.weight_side, sums.weight_up);
+  region.angle_rad = std::atan2(-shape.side, shape.up);
   region.rolling_radius_m = place.radius_m;
-  region.approach_m = sums.overlap_m;
-  region.curvature.across_1pm = sums.overlap_m / (3.0 * sums.computeVariance_m2());  // (W3)
+  region.approach_m = shape.overlap_m;
+  region.curvature.across_1pm = shape.across_1pm;
   region.curvature.along_1pm = 1.0 / (place.radius_m * std::sqrt(1.0 + place.wheel_slope * place.wheel_slope));
   region.share = share;
   return region;
@@ -117,7 +117,7 @@ std::size_t ContactSearch::find(Side side, const WheelsetPose& pose,
   }
   const BlendedRegions blended = blendRegions(overlap, finder.finish());
   for (std::size_t i = 0; i < blended.count; ++i) {
-    regions[i] = makeRegion(overlap, blended.sums[i], blended.share[i]);
+    regions[i] = makeRegion(overlap, blended.shape[i], blended.share[i]);
     if (mirrored) {
       regions[i].p_T.y() = -regions[i].p_T.y();
       regions[i].angle_rad = -regions[i].angle_rad;

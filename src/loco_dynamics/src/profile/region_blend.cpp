@@ -58,10 +58,10 @@ Groups groupPeaks(const Overlap& overlap, const OverlapPeaks& peaks) {
   return groups;
 }
 
-/// The mean over all ways to cut of the sums of the piece that holds group i, and of the pieces' own masses.
-RegionSums computeMean(const Overlap& overlap, const OverlapPeaks& peaks, const Groups& groups, std::size_t i,
-                       const RegionSums& own, double& mean_mass) {
-  RegionSums mean;
+/// The mean over all ways to cut of the shape of the piece that holds group i, and of the sum of its groups' masses.
+RegionShape computeMean(const Overlap& overlap, const OverlapPeaks& peaks, const Groups& groups, std::size_t i,
+                        const RegionShape& own, double& mean_mass) {
+  RegionShape mean;
   mean_mass = 0.0;
   double left_weight = 1.0;
   for (std::size_t first = i + 1; first-- > 0;) {  // pieces from `first` to `last`, both sides of i
@@ -72,7 +72,9 @@ RegionSums computeMean(const Overlap& overlap, const OverlapPeaks& peaks, const 
       const double weight = left_weight * left_cut * right_weight * right_cut;
       if (weight > 0.0) {
         const bool alone = first == i && last == i;
-        mean.add(alone ? own : computeRegionSums(overlap, peaks, groups.group[first].first, groups.group[last].last),
+        mean.add(alone ? own
+                       : computeShape(computeRegionSums(overlap, peaks, groups.group[first].first,
+                                                        groups.group[last].last)),
                  weight);
         for (std::size_t j = first; j <= last; ++j) mean_mass += weight * groups.group[j].mass;
       }
@@ -86,7 +88,7 @@ RegionSums computeMean(const Overlap& overlap, const OverlapPeaks& peaks, const 
 }
 
 /// Takes the least region out until three are left.
-void keepLargest(std::array<RegionSums, kMostPeaks>& sums, std::array<double, kMostPeaks>& share, Groups& groups) {
+void keepLargest(std::array<RegionShape, kMostPeaks>& shapes, std::array<double, kMostPeaks>& share, Groups& groups) {
   while (groups.count > kMostContacts) {
     const auto end = groups.group.begin() + static_cast<std::ptrdiff_t>(groups.count);
     const auto least = std::min_element(groups.group.begin(), end,
@@ -95,7 +97,7 @@ void keepLargest(std::array<RegionSums, kMostPeaks>& sums, std::array<double, kM
     const auto at = static_cast<std::size_t>(least - groups.group.begin());
     for (std::size_t i = at; i + 1 < groups.count; ++i) {
       groups.group[i] = groups.group[i + 1];
-      sums[i] = sums[i + 1];
+      shapes[i] = shapes[i + 1];
       share[i] = share[i + 1];
     }
     --groups.count;
@@ -109,20 +111,21 @@ BlendedRegions blendRegions(const Overlap& overlap, const OverlapPeaks& peaks) {
   BlendedRegions regions;
   if (peaks.count == 0) return regions;
   Groups groups = groupPeaks(overlap, peaks);
-  std::array<RegionSums, kMostPeaks> own, sums;
+  std::array<RegionShape, kMostPeaks> own, shapes;
   std::array<double, kMostPeaks> share{};
   for (std::size_t i = 0; i < groups.count; ++i) {
-    own[i] = computeRegionSums(overlap, peaks, groups.group[i].first, groups.group[i].last);
-    groups.group[i].mass = own[i].mass;
+    const RegionSums sums = computeRegionSums(overlap, peaks, groups.group[i].first, groups.group[i].last);
+    groups.group[i].mass = sums.mass;
+    own[i] = computeShape(sums);
   }
   for (std::size_t i = 0; i < groups.count; ++i) {
     double mean_mass = 0.0;
-    sums[i] = groups.count == 1 ? own[i] : computeMean(overlap, peaks, groups, i, own[i], mean_mass);
+    shapes[i] = groups.count == 1 ? own[i] : computeMean(overlap, peaks, groups, i, own[i], mean_mass);
     share[i] = groups.count == 1 ? 1.0 : groups.group[i].mass / mean_mass;  // (W6)
   }
-  keepLargest(sums, share, groups);
+  keepLargest(shapes, share, groups);
   for (; regions.count < groups.count; ++regions.count) {
-    regions.sums[regions.count] = sums[regions.count];
+    regions.shape[regions.count] = shapes[regions.count];
     regions.share[regions.count] = share[regions.count];
   }
   return regions;

@@ -51,16 +51,17 @@ void addStretch(RegionSums& sums, const Overlap& overlap, const PlaceOrigin& ori
 
 }  // namespace
 
-void RegionSums::add(const RegionSums& other, double factor) {
+void RegionShape::add(const RegionShape& other, double factor) {
   overlap_m += factor * other.overlap_m;
-  mass += factor * other.mass;
-  mass_y += factor * other.mass_y;
-  mass_z += factor * other.mass_z;
-  mass_square += factor * other.mass_square;
-  weight += factor * other.weight;
-  weight_s += factor * other.weight_s;
-  weight_up += factor * other.weight_up;
-  weight_side += factor * other.weight_side;
+  across_1pm += factor * other.across_1pm;
+  s_m += factor * other.s_m;
+  up += factor * other.up;
+  side += factor * other.side;
+}
+
+RegionShape computeShape(const RegionSums& sums) {
+  return {sums.overlap_m, sums.overlap_m / (3.0 * sums.computeVariance_m2()),  // (W3)
+          sums.weight_s / sums.weight, sums.weight_up / sums.weight, sums.weight_side / sums.weight};
 }
 
 double RegionSums::computeVariance_m2() const {

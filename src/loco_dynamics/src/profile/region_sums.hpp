@@ -23,9 +23,19 @@ struct RegionSums {
   double weight_s = 0.0;                      ///< of e^2 times s
   double weight_up = 0.0, weight_side = 0.0;  ///< of e^2 times the rail's normal
 
-  void add(const RegionSums& other, double factor);
   double computeVariance_m2() const;
 };
+
+/// What the sums say of a region; a mean of several shapes is one, too.
+struct RegionShape {
+  double overlap_m = 0.0;
+  double across_1pm = 0.0;        ///< effective curvature, (W3)
+  double s_m = 0.0;               ///< place on the wheel
+  double up = 0.0, side = 0.0;    ///< mean normal of the rail, not of unit length
+
+  void add(const RegionShape& other, double factor);
+};
+RegionShape computeShape(const RegionSums& sums);
 
 /// Sums over the peaks first to last as one region.
 RegionSums computeRegionSums(const Overlap& overlap, const OverlapPeaks& peaks, std::size_t first, std::size_t last);
