@@ -29,7 +29,8 @@ TEST(ContactSearchTest, ArcsHaveTheCurvaturesOfHertz) {
     rail.push_back({y, from_middle < 30e-3 ? 0.2 - std::sqrt(0.04 - y * y) : 2.2629e-3 + 2.0 * (from_middle - 30e-3)});
   }
   for (double y = -70e-3; y <= 60e-3; y += 0.25e-3) {  // convex, 0.5 m; and a flange far away
-    wheel.push_back({y, std::sqrt(0.25 - y * y) - 0.5 + (y < -40e-3 ? 28e-3 * std::exp(-std::pow((y + 55e-3) / 6e-3, 2)) : 0.0)});
+    wheel.push_back(
+        {y, std::sqrt(0.25 - y * y) - 0.5 + (y < -40e-3 ? 28e-3 * std::exp(-std::pow((y + 55e-3) / 6e-3, 2)) : 0.0)});
   }
   loco::WheelRailDimensions dimensions;
   dimensions.inclination = 0.0;
@@ -52,7 +53,8 @@ TEST(ContactSearchTest, MirroredPosesGiveMirroredBits) {
     const loco::ContactSearch search = searchOf(wheel);
     std::size_t touching = 0;
     for (int i = 0; i < 500; ++i) {
-      const WheelsetPose pose{8e-3 * unit(random), -0.3e-3 + 0.2e-3 * unit(random), 1e-3 * unit(random), 0.02 * unit(random)};
+      const WheelsetPose pose{8e-3 * unit(random), -0.3e-3 + 0.2e-3 * unit(random), 1e-3 * unit(random),
+                              0.02 * unit(random)};
       const NormalForces left = normalForces(search, Side::kLeft, pose);
       const NormalForces right =
           normalForces(search, Side::kRight, {-pose.y_m, pose.z_m, -pose.roll_rad, -pose.yaw_rad});
@@ -97,17 +99,30 @@ TEST(ContactSearchTest, ConeRollsOnItsConicity) {
   EXPECT_NEAR(left.regions[0].rolling_radius_m - right.regions[0].rolling_radius_m, 1e-4, 2e-5);
 }
 
+/// Height at which a left wheel that comes down just touches, less 1 um.
+double touchdown(const loco::ContactSearch& search, double y_m, double yaw_rad) {
+  double low_m = -5e-3, high_m = 40e-3;
+  for (int i = 0; i < 40; ++i) {
+    const double middle_m = 0.5 * (low_m + high_m);
+    (normalForces(search, Side::kLeft, {y_m, middle_m, 0.0, yaw_rad}).count > 0 ? low_m : high_m) = middle_m;
+  }
+  return low_m - 1e-6;
+}
+
 /// x_c = r tan(gamma) psi on top of the wheel's own way forward.
 TEST(ContactSearchTest, YawMovesTheContactAheadOfTheAxle) {
-  const double yaw = 0.01;
-  for (const double y_m : {0.0, 6e-3}) {  // tread; flange's root
-    const NormalForces forces = normalForces(searchOf("S1002"), Side::kLeft, {y_m, -0.3e-3, 0.0, yaw});
-    ASSERT_GE(forces.count, 1u);
-    const loco::ContactRegion& region = forces.regions[0];
-    const double s_m = region.p_T.y() - y_m - 0.75;
-    const double lead_m = region.p_T.x() + (0.75 + s_m) * std::sin(yaw);
-    EXPECT_NEAR(lead_m, region.rolling_radius_m * std::tan(region.angle_rad) * yaw,
-                0.02 * region.rolling_radius_m * std::tan(region.angle_rad) * yaw);
+  const loco::ContactSearch search = searchOf("S1002");
+  for (const double yaw : {0.01, -0.01}) {
+    for (const double y_m : {-2e-3, 7.5e-3}) {  // tread; flange
+      const NormalForces forces = normalForces(search, Side::kLeft, {y_m, touchdown(search, y_m, yaw), 0.0, yaw});
+      ASSERT_EQ(forces.count, 1u);
+      const loco::ContactRegion& region = forces.regions[0];
+      const double expected_m = region.rolling_radius_m * std::tan(region.angle_rad) * yaw;
+      // from the axle's middle to the contact along x, without the way of 0.75 m to the taping line
+      const double lead_m = region.p_T.x() + (region.p_T.y() - y_m) * std::tan(yaw);
+      EXPECT_NEAR(lead_m, expected_m, 0.02 * std::abs(expected_m)) << y_m;
+      EXPECT_GT(region.angle_rad, y_m > 0.0 ? 1.0 : 0.01);
+    }
   }
 }
 
@@ -135,10 +150,10 @@ double largestChange(const loco::ContactSearch& search, const Sweep& sweep, int 
   for (int i = 0; i <= steps; ++i) {
     const double u = static_cast<double>(i) / steps;
     const auto between = [u](double a, double b) { return a + u * (b - a); };
-    const NormalForces forces = normalForces(
-        search, Side::kLeft,
-        {between(sweep.from.y_m, sweep.to.y_m), between(sweep.from.z_m, sweep.to.z_m),
-         between(sweep.from.roll_rad, sweep.to.roll_rad), between(sweep.from.yaw_rad, sweep.to.yaw_rad)});
+    const NormalForces forces =
+        normalForces(search, Side::kLeft,
+                     {between(sweep.from.y_m, sweep.to.y_m), between(sweep.from.z_m, sweep.to.z_m),
+                      between(sweep.from.roll_rad, sweep.to.roll_rad), between(sweep.from.yaw_rad, sweep.to.yaw_rad)});
     if (i > 0) largest = std::max(largest, std::hypot(forces.y_N - before_y, forces.z_N - before_z));
     before_y = forces.y_N;
     before_z = forces.z_N;
@@ -150,16 +165,15 @@ double largestChange(const loco::ContactSearch& search, const Sweep& sweep, int 
 /// With an eighth of the step the largest change must be an eighth; a jump would stay as it is.
 TEST(ContactSearchTest, ForcesAreContinuousInThePose) {
   const double low = -0.45e-3;
-  for (const Sweep& sweep :
-       {Sweep{"S1002", {-9e-3, -0.30e-3, 0.0, 0.0}, {6e-3, -0.30e-3, 0.0, 0.0}},
-        Sweep{"S1002", {-9e-3, -0.15e-3, 0.0, 0.0}, {6e-3, -0.15e-3, 0.0, 0.0}},
-        Sweep{"S1002", {0.0, 0.0, 0.0, 0.0}, {0.0, low, 0.0, 0.0}},
-        Sweep{"S1002", {5.5e-3, 0.2e-3, 0.0, 0.0}, {5.5e-3, low, 0.0, 0.0}},
-        Sweep{"S1002", {3e-3, -0.25e-3, 0.0, -0.02}, {3e-3, -0.25e-3, 0.0, 0.02}},
-        Sweep{"S1002", {0.0, -0.25e-3, -1e-3, 0.0}, {0.0, -0.25e-3, 1e-3, 0.0}},
-        Sweep{"coned_1_20", {-9e-3, -0.7e-3, 0.0, 0.0}, {6e-3, -0.7e-3, 0.0, 0.0}},
-        Sweep{"coned_1_20", {5.8e-3, -0.5e-3, 0.0, 0.0}, {5.8e-3, -0.9e-3, 0.0, 0.0}},
-        Sweep{"coned_1_20", {5.6e-3, -0.7e-3, 0.0, -0.02}, {5.6e-3, -0.7e-3, 0.0, 0.02}}}) {
+  for (const Sweep& sweep : {Sweep{"S1002", {-9e-3, -0.30e-3, 0.0, 0.0}, {6e-3, -0.30e-3, 0.0, 0.0}},
+                             Sweep{"S1002", {-9e-3, -0.15e-3, 0.0, 0.0}, {6e-3, -0.15e-3, 0.0, 0.0}},
+                             Sweep{"S1002", {0.0, 0.0, 0.0, 0.0}, {0.0, low, 0.0, 0.0}},
+                             Sweep{"S1002", {5.5e-3, 0.2e-3, 0.0, 0.0}, {5.5e-3, low, 0.0, 0.0}},
+                             Sweep{"S1002", {3e-3, -0.25e-3, 0.0, -0.02}, {3e-3, -0.25e-3, 0.0, 0.02}},
+                             Sweep{"S1002", {0.0, -0.25e-3, -1e-3, 0.0}, {0.0, -0.25e-3, 1e-3, 0.0}},
+                             Sweep{"coned_1_20", {-9e-3, -0.7e-3, 0.0, 0.0}, {6e-3, -0.7e-3, 0.0, 0.0}},
+                             Sweep{"coned_1_20", {5.8e-3, -0.5e-3, 0.0, 0.0}, {5.8e-3, -0.9e-3, 0.0, 0.0}},
+                             Sweep{"coned_1_20", {5.6e-3, -0.7e-3, 0.0, -0.02}, {5.6e-3, -0.7e-3, 0.0, 0.02}}}) {
     const loco::ContactSearch search = searchOf(sweep.wheel);
     std::size_t blended = 0;
     const double coarse = largestChange(search, sweep, 8000, blended);

@@ -18,7 +18,8 @@ using loco::ProfilePoints;
 /// A wheel of 0.7 mm steps, fewer points than the built-in one.
 ProfilePoints wheel() {
   ProfilePoints points;
-  for (double s_mm = -69.5; s_mm <= 60.0; s_mm += 0.7) points.push_back({1e-3 * s_mm, 1e-3 * loco::computeS1002Depth_mm(s_mm)});
+  for (double s_mm = -69.5; s_mm <= 60.0; s_mm += 0.7)
+    points.push_back({1e-3 * s_mm, 1e-3 * loco::computeS1002Depth_mm(s_mm)});
   return points;
 }
 
@@ -57,14 +58,16 @@ TEST(ProfileFaultsTest, MetresAndInchesAreRefused) {
   for (const double factor : {1e-3, 1.0 / 25.4}) {
     const auto scale = [factor](auto& point) { point = {factor * point.y_m, factor * point.z_m}; };
     EXPECT_TRUE(has(faults(ProfileKind::kWheel, changed(wheel(), scale)), "are these millimetres?")) << factor;
-    EXPECT_TRUE(has(faults(ProfileKind::kRail, changed(loco::makeRailPoints("UIC60"), scale)), "are these millimetres?"));
+    EXPECT_TRUE(
+        has(faults(ProfileKind::kRail, changed(loco::makeRailPoints("UIC60"), scale)), "are these millimetres?"));
   }
 }
 
 TEST(ProfileFaultsTest, UnorderedPointsAreNamedByLine) {
   ProfilePoints points = wheel();
   std::swap(points[120], points[121]);
-  EXPECT_TRUE(has(faults(ProfileKind::kWheel, points), "own.csv: line 123: y_mm = 14.5: must rise from point to point"));
+  EXPECT_TRUE(
+      has(faults(ProfileKind::kWheel, points), "own.csv: line 123: y_mm = 14.5: must rise from point to point"));
   ProfilePoints backwards = wheel();
   std::reverse(backwards.begin(), backwards.end());
   EXPECT_TRUE(has(faults(ProfileKind::kWheel, backwards), "must rise from point to point"));
@@ -146,6 +149,16 @@ TEST_F(ProfileConfigTest, NamesAndFilesAreRead) {
   EXPECT_EQ(lines(), "");
 }
 
+TEST_F(ProfileConfigTest, TheShippedPairsAreGood) {
+  for (const char* name : {"s1002_uic60.yaml", "coned_1_20_uic60.yaml"}) {
+    problems_ = {};
+    const rail::Document document = rail::Document::load(std::string(CONFIG_DIR) + "/profiles/" + name, {}, problems_);
+    const auto geometry = loco::WheelRailGeometry::read(rail::YamlReader(document, problems_), 0.5335);
+    EXPECT_EQ(lines(), "");
+    EXPECT_EQ(geometry.wheelRadius_m(), 0.5335);
+  }
+}
+
 TEST_F(ProfileConfigTest, BadFilesAreNamed) {
   ProfilePoints spike = wheel();
   spike[130].z_m += 2e-3;
@@ -162,7 +175,8 @@ TEST_F(ProfileConfigTest, BadFilesAreNamed) {
 TEST_F(ProfileConfigTest, WheelsetsThatDoNotFitTheTrackAreRefused) {
   const std::string pair = "{wheel: S1002, rail: UIC60, inclination: 40, ";
   read(pair + "gauge_mm: 1424, flange_back_mm: 1360}\n");
-  EXPECT_TRUE(has(lines(), "gauge_mm = 1424: gauge too narrow for the wheelset: its flanges are 1425.0 mm apart")) << lines();
+  EXPECT_TRUE(has(lines(), "gauge_mm = 1424: gauge too narrow for the wheelset: its flanges are 1425.0 mm apart"))
+      << lines();
   read(pair + "gauge_mm: 1600, flange_back_mm: 1360}\n");
   EXPECT_TRUE(has(lines(), "gauge too wide for the wheelset")) << lines();
   read(pair + "gauge_mm: 1432, flange_back_mm: 1360}\n");

@@ -31,8 +31,8 @@ TEST(ProfileReferenceTest, RigidContactRadii) {
     ASSERT_TRUE(standing.stands);
     for (std::size_t side = 0; side < 2; ++side) {
       const double radius_mm = 1e3 * standing.wheel[side].patch[0].region.rolling_radius_m;
-      std::cout << "rigid y " << 2 * i << " side " << side << ": " << radius_mm << " mm, " << radius_mm - expected_mm[i][side]
-                << "\n";
+      std::cout << "rigid y " << 2 * i << " side " << side << ": " << radius_mm << " mm, "
+                << radius_mm - expected_mm[i][side] << "\n";
       // in the flange's root 1 um of height is 10 um of radius
       EXPECT_NEAR(radius_mm, expected_mm[i][side], i == 3 && side == 1 ? 6e-3 : 2e-3);
     }
@@ -116,12 +116,21 @@ TEST(ProfileReferenceTest, ManchesterA22) {
     distances[part + " N %"].add(normal);
   }
   for (const auto& [name, distance] : distances) {
-    std::cout << name << ": largest " << distance.largest << ", rms " << distance.rms() << ", " << distance.count << "\n";
+    std::cout << name << ": largest " << distance.largest << ", rms " << distance.rms() << ", " << distance.count
+              << "\n";
   }
-  EXPECT_LE(distances["tread place mm"].largest, 0.2);
-  EXPECT_LE(distances["tread N %"].largest, 1.0);
-  EXPECT_LE(distances["right tread place mm"].largest, 0.3);
-  EXPECT_LE(distances["right tread N %"].largest, 1.0);
+  EXPECT_LE(distances["tread place mm"].largest, 0.05);
+  EXPECT_LE(distances["tread ahead mm"].largest, 0.005);
+  EXPECT_LE(distances["tread angle mrad"].largest, 0.2);
+  EXPECT_LE(distances["tread N %"].largest, 0.1);
+  EXPECT_LE(distances["right tread place mm"].largest, 0.6);  // at 0.5 mm the patch lies across two arcs of the rail
+  EXPECT_LE(distances["right tread N %"].largest, 0.1);
+  EXPECT_LE(distances["flange place mm"].largest, 0.02);
+  EXPECT_LE(distances["flange ahead mm"].largest, 0.01);
+  EXPECT_LE(distances["flange angle mrad"].largest, 1.5);
+  EXPECT_LE(distances["flange N %"].largest, 0.6);
+  // at 5 mm CONTACT has one patch in the root, we have two; what they carry together is not compared
+  EXPECT_LE(distances["root place mm"].largest, 0.6);
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ TEST(ProfileTest, S1002PiecesMeetWithin012Micrometres) {
 TEST(ProfileTest, ConeRunsTangentiallyIntoTheFlangeOfS1002) {
   EXPECT_NEAR(loco::computeConed120Depth_mm(-26.0), 1.3, 1e-12);
   EXPECT_NEAR(loco::computeConed120Depth_mm(40.0), -2.0, 1e-12);
-  EXPECT_NEAR(loco::computeConed120Depth_mm(-26.8601), loco::computeConed120Depth_mm(-26.8599), 3e-4);  // 2.119 is rounded
+  EXPECT_NEAR(loco::computeConed120Depth_mm(-26.8601), loco::computeConed120Depth_mm(-26.8599),
+              3e-4);  // 2.119 is rounded
   const double slope = (loco::computeConed120Depth_mm(-26.861) - loco::computeConed120Depth_mm(-26.871)) / 0.01;
   EXPECT_NEAR(slope, -0.05, 5e-4);
   EXPECT_NEAR(loco::computeConed120Depth_mm(-55.0), 28.0 - 2.119, 1e-9);
@@ -69,7 +70,8 @@ TEST(ProfileTest, TablesMeetTheFormulas) {
   const loco::WheelRailGeometry geometry;
   double largest_mm = 0.0;
   for (double s_mm = -54.0; s_mm < 59.0; s_mm += 0.0373) {
-    largest_mm = std::max(largest_mm, std::abs(1e3 * geometry.wheel().at(1e-3 * s_mm).z_m - loco::computeS1002Depth_mm(s_mm)));
+    largest_mm =
+        std::max(largest_mm, std::abs(1e3 * geometry.wheel().at(1e-3 * s_mm).z_m - loco::computeS1002Depth_mm(s_mm)));
   }
   EXPECT_LT(largest_mm, 3e-4);  // the joints' 0.12 um, and what the spline makes of them at 70 degrees
 }

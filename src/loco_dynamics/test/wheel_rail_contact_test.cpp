@@ -22,7 +22,8 @@ Answer run(const std::vector<std::string>& arguments) {
 }
 
 const std::string kHeader =
-    "side,y_mm,yaw_mrad,patch,y_rail_mm,z_rail_mm,angle_rad,rolling_radius_mm,normal_force_N,a_mm,b_mm,area_mm2,p_max_MPa\n";
+    "side,y_mm,yaw_mrad,patch,y_rail_mm,z_rail_mm,angle_rad,rolling_radius_mm,normal_force_N,a_mm,b_mm,area_mm2,p_max_"
+    "MPa\n";
 
 std::vector<std::string> linesOf(const std::string& text) {
   std::istringstream stream(text);

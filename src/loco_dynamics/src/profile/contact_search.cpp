@@ -101,8 +101,7 @@ ContactSearch::ContactSearch(const WheelRailGeometry& geometry) : geometry_(geom
 std::size_t ContactSearch::find(Side side, const WheelsetPose& pose,
                                 std::array<ContactRegion, kMostContacts>& regions) const {
   const bool mirrored = side == Side::kRight;
-  const WheelsetPose left_pose =
-      mirrored ? WheelsetPose{-pose.y_m, pose.z_m, -pose.roll_rad, -pose.yaw_rad} : pose;
+  const WheelsetPose left_pose = mirrored ? WheelsetPose{-pose.y_m, pose.z_m, -pose.roll_rad, -pose.yaw_rad} : pose;
   const Overlap overlap(geometry_, left_pose);
 
   // only where there is rail: the locus lies near y + taping line + s, pushed outwards by roll

@@ -23,7 +23,8 @@ struct OverlapPeaks {
   std::size_t count = 0;
 };
 
-/// Place in (low, high) where de/ds is 0; its signs at both ends differ. By regula falsi (Illinois), to 1e-7 m, which moves the overlap by 1e-12 m.
+/// Place in (low, high) where de/ds is 0; its signs at both ends differ. By regula falsi (Illinois), to 1e-7 m, which
+/// moves the overlap by 1e-12 m.
 double findFlatPlace(const Overlap& overlap, double low_m, double low_slope, double high_m, double high_slope);
 
 /// Place between a peak and an end of its stretch (e there < 0) where the overlap ends, by Newton's method kept within

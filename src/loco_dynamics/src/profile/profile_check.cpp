@@ -66,8 +66,8 @@ bool ProfileCheck::checkOrder(std::size_t from) {
   for (std::size_t i = from + 1; i < points_.size(); ++i) {
     if (points_[i].y_m > points_[i - 1].y_m) continue;
     refuse("y_mm", i, points_[i].y_m * kMillimetresPerMetre,
-           "must rise from point to point, the one before is at " +
-               shown(points_[i - 1].y_m * kMillimetresPerMetre) + " (order: flange or gauge face first, field side last)");
+           "must rise from point to point, the one before is at " + shown(points_[i - 1].y_m * kMillimetresPerMetre) +
+               " (order: flange or gauge face first, field side last)");
     return false;
   }
   return true;
@@ -75,8 +75,8 @@ bool ProfileCheck::checkOrder(std::size_t from) {
 
 void ProfileCheck::checkNeighbours(std::size_t from) {
   for (std::size_t i = from + 1; i < points_.size(); ++i) {
-    const double gap_mm = kMillimetresPerMetre *
-                          std::hypot(points_[i].y_m - points_[i - 1].y_m, points_[i].z_m - points_[i - 1].z_m);
+    const double gap_mm =
+        kMillimetresPerMetre * std::hypot(points_[i].y_m - points_[i - 1].y_m, points_[i].z_m - points_[i - 1].z_m);
     if (gap_mm > kWidestGap_mm) {
       refuse("y_mm", i, points_[i].y_m * kMillimetresPerMetre,
              "is open here: " + shown(gap_mm) + " mm from the point before, must be 5 mm at most");
@@ -84,7 +84,8 @@ void ProfileCheck::checkNeighbours(std::size_t from) {
     if (i < from + 2) continue;
     const double turn = direction(points_[i - 1], points_[i]) - direction(points_[i - 2], points_[i - 1]);
     if (std::abs(std::remainder(turn, 6.283185307179586)) > kSharpest_rad) {
-      refuse("z_mm", i - 1, points_[i - 1].z_m * kMillimetresPerMetre, "the profile turns by more than 45 degrees here");
+      refuse("z_mm", i - 1, points_[i - 1].z_m * kMillimetresPerMetre,
+             "the profile turns by more than 45 degrees here");
     }
   }
 }

@@ -72,10 +72,10 @@ RegionShape computeMean(const Overlap& overlap, const OverlapPeaks& peaks, const
       const double weight = left_weight * left_cut * right_weight * right_cut;
       if (weight > 0.0) {
         const bool alone = first == i && last == i;
-        mean.add(alone ? own
-                       : computeShape(computeRegionSums(overlap, peaks, groups.group[first].first,
-                                                        groups.group[last].last)),
-                 weight);
+        mean.add(
+            alone ? own
+                  : computeShape(computeRegionSums(overlap, peaks, groups.group[first].first, groups.group[last].last)),
+            weight);
         for (std::size_t j = first; j <= last; ++j) mean_mass += weight * groups.group[j].mass;
       }
       right_weight *= 1.0 - right_cut;
@@ -91,8 +91,8 @@ RegionShape computeMean(const Overlap& overlap, const OverlapPeaks& peaks, const
 void keepLargest(std::array<RegionShape, kMostPeaks>& shapes, std::array<double, kMostPeaks>& share, Groups& groups) {
   while (groups.count > kMostContacts) {
     const auto end = groups.group.begin() + static_cast<std::ptrdiff_t>(groups.count);
-    const auto least = std::min_element(groups.group.begin(), end,
-                                        [](const Group& a, const Group& b) { return a.mass < b.mass; });
+    const auto least =
+        std::min_element(groups.group.begin(), end, [](const Group& a, const Group& b) { return a.mass < b.mass; });
     const double mass = least->mass;
     const auto at = static_cast<std::size_t>(least - groups.group.begin());
     for (std::size_t i = at; i + 1 < groups.count; ++i) {

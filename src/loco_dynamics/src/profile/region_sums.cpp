@@ -8,7 +8,8 @@ namespace loco {
 
 namespace {
 
-/// Gauss and Legendre's rule of eight points: half of its nodes on (-1, 1) and their weights (Abramowitz, Stegun 25.4.29).
+/// Gauss and Legendre's rule of eight points: half of its nodes on (-1, 1) and their weights (Abramowitz,
+/// Stegun 25.4.29).
 struct GaussNode {
   double place, weight;
 };
@@ -17,8 +18,8 @@ constexpr std::array<GaussNode, 4> kGauss{{{0.183434642495649805, 0.362683783378
                                            {0.796666477413626740, 0.222381034453374471},
                                            {0.960289856497536232, 0.101228536290376259}}};
 
-// Stretches are cut at multiples of this, fixed on the wheel: where an end passes a cut, the sums go on smoothly. Chosen:
-// longer ones smear the jumps of curvature between a profile's arcs.
+// Stretches are cut at multiples of this, fixed on the wheel: where an end passes a cut, the sums go on smoothly.
+// Chosen: longer ones smear the jumps of curvature between a profile's arcs.
 constexpr double kPanel_m = 6e-3;
 
 void addPlace(RegionSums& sums, const Overlap& overlap, const PlaceOrigin& origin, double s_m, double weight_m) {

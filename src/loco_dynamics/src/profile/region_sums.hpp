@@ -29,9 +29,9 @@ struct RegionSums {
 /// What the sums say of a region; a mean of several shapes is one, too.
 struct RegionShape {
   double overlap_m = 0.0;
-  double across_1pm = 0.0;        ///< effective curvature, (W3)
-  double s_m = 0.0;               ///< place on the wheel
-  double up = 0.0, side = 0.0;    ///< mean normal of the rail, not of unit length
+  double across_1pm = 0.0;      ///< effective curvature, (W3)
+  double s_m = 0.0;             ///< place on the wheel
+  double up = 0.0, side = 0.0;  ///< mean normal of the rail, not of unit length
 
   void add(const RegionShape& other, double factor);
 };

@@ -20,8 +20,12 @@ double polynomial(const std::array<double, n>& coefficients, double x) {
 }
 
 /// Arc of a circle about (y, z): above it (the near side of a rail) or below it (the tip of a flange).
-double arcAbove(double y, double z, double radius, double at) { return z - std::sqrt(radius * radius - (at - y) * (at - y)); }
-double arcBelow(double y, double z, double radius, double at) { return z + std::sqrt(radius * radius - (at - y) * (at - y)); }
+double arcAbove(double y, double z, double radius, double at) {
+  return z - std::sqrt(radius * radius - (at - y) * (at - y));
+}
+double arcBelow(double y, double z, double radius, double at) {
+  return z + std::sqrt(radius * radius - (at - y) * (at - y));
+}
 
 double s1002RootArc(double s) { return arcAbove(-26.210665, 16.446, 13.0, s); }
 
@@ -49,7 +53,7 @@ double computeS1002Depth_mm(double s) {
                                                 5.309217349e-15,
                                                 -5.957839843e-12,
                                                 2.646656573e-13};
-  static constexpr std::array<double, 8> kRoot{-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875,
+  static constexpr std::array<double, 8> kRoot{-4.320221063e3,  -1.038384026e3,  -1.065501873e2,  -6.051367875,
                                                -2.054332446e-1, -4.169739389e-3, -4.687195829e-5, -2.252755540e-7};
   if (s >= 32.15796) return 1.364323640 - 0.066666667 * s;
   if (s >= -26.0) return polynomial(kTread, s);

@@ -67,7 +67,8 @@ double WheelsetStand::computeVertical(Side side, const WheelsetPose& pose, const
   double vertical_N = 0.0;
   for (std::size_t i = 0; i < wheel.count; ++i) {
     const LoadedPatch& patch = wheel.patch[i];
-    vertical_N += patch.normal_N * std::cos(patch.region.angle_rad) + patch.creep_y_N * std::sin(patch.region.angle_rad);
+    vertical_N +=
+        patch.normal_N * std::cos(patch.region.angle_rad) + patch.creep_y_N * std::sin(patch.region.angle_rad);
   }
   return vertical_N;
 }

@@ -62,8 +62,7 @@ WheelRailGeometry::WheelRailGeometry(const ProfilePoints& wheel, const ProfilePo
       wheel_(makeWheelTable(wheel)),
       rail_(makeRailTable(inclineRail(rail, dimensions.inclination))),
       taping_line_m_(0.5 * dimensions.flange_back_m + kFlangeBackToTaping_m),
-      rail_top_m_(0.5 * dimensions.gauge_m +
-                  findGaugeFace(inclineRail(rail, dimensions.inclination)).value_or(0.0)),
+      rail_top_m_(0.5 * dimensions.gauge_m + findGaugeFace(inclineRail(rail, dimensions.inclination)).value_or(0.0)),
       flange_face_m_(findFlangeFace(wheel, kFlangeDepth_m).value_or(0.0)) {}
 
 WheelRailGeometry::WheelRailGeometry(const WheelRailDimensions& dimensions)
@@ -87,7 +86,8 @@ std::vector<WheelRailGeometry::Misfit> WheelRailGeometry::findMisfits() const {
   if (!findFirstContact(*this, first) || std::abs(first.angle_rad) > kSteepestTread_rad) {
     misfits.push_back({"rail", "phantom contact: the centred wheelset touches the rail at " +
                                    millimetres(first.p_T.y() - rail_top_m_) + " mm from its top, at " +
-                                   std::to_string(std::lround(first.angle_rad * 1e3)) + " mrad, and not with its treads"});
+                                   std::to_string(std::lround(first.angle_rad * 1e3)) +
+                                   " mrad, and not with its treads"});
   }
   return misfits;
 }

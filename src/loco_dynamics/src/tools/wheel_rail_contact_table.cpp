@@ -53,12 +53,11 @@ void writePatches(std::ostream& output, Side side, double lateral_mm, double yaw
     const double area_mm2 = kPi * a_mm * b_mm;
     const double whole_N = patch.normal_N / patch.region.share;
     output << (side == Side::kLeft ? "left" : "right");
-    for (const double value :
-         {lateral_mm, yaw_mrad, static_cast<double>(i + 1),
-          (sign * patch.region.p_T.y() - geometry.railTop_m()) * kMillimetresPerMetre,
-          -patch.region.p_T.z() * kMillimetresPerMetre, sign * patch.region.angle_rad,
-          patch.region.rolling_radius_m * kMillimetresPerMetre, patch.normal_N, a_mm, b_mm, area_mm2,
-          1.5 * whole_N / area_mm2}) {  // N/mm2 is MPa
+    for (const double value : {lateral_mm, yaw_mrad, static_cast<double>(i + 1),
+                               (sign * patch.region.p_T.y() - geometry.railTop_m()) * kMillimetresPerMetre,
+                               -patch.region.p_T.z() * kMillimetresPerMetre, sign * patch.region.angle_rad,
+                               patch.region.rolling_radius_m * kMillimetresPerMetre, patch.normal_N, a_mm, b_mm,
+                               area_mm2, 1.5 * whole_N / area_mm2}) {  // N/mm2 is MPa
       output << ',' << shown(value + 0.0);
     }
     output << '\n';
@@ -95,7 +94,8 @@ bool writeTable(const WheelRailContactArguments& arguments, const WheelRailGeome
         stand.compute({-lateral_mm / kMillimetresPerMetre, -arguments.yaw_mrad * kRadiansPerMilliradian,
                        arguments.load_N, arguments.friction});
     if (!standing.stands) {
-      errors << "wheel_rail_contact: --lateral " << shown(lateral_mm) << ": the wheelset does not stand on both rails\n";
+      errors << "wheel_rail_contact: --lateral " << shown(lateral_mm)
+             << ": the wheelset does not stand on both rails\n";
       all_stand = false;
       continue;
     }

@@ -8,9 +8,9 @@
 
 namespace loco {
 
-/// Finds where the wheels of a wheelset overlap their rails (virtual interpenetration). A right wheel is searched as the
-/// mirror image of a left one, so that mirrored poses give the same bits. docs/wheel_rail_geometry.md has the theory.
-/// Source: Kik, Piotrowski, Proc. 2nd Mini Conf. Contact Mechanics, Budapest 1996 (overlap cut at 0.45 delta).
+/// Finds where the wheels of a wheelset overlap their rails (virtual interpenetration). A right wheel is searched as
+/// the mirror image of a left one, so that mirrored poses give the same bits. docs/wheel_rail_geometry.md has the
+/// theory. Source: Kik, Piotrowski, Proc. 2nd Mini Conf. Contact Mechanics, Budapest 1996 (overlap cut at 0.45 delta).
 class ContactSearch {
  public:
   explicit ContactSearch(const WheelRailGeometry& geometry);

@@ -26,8 +26,8 @@ class HeightTable {
     const auto i = static_cast<std::size_t>(static_cast<int>(std::min(std::max(along, 0.0), last_cell_)));
     const Cell& cell = cells_[i];
     const double d = y_m - cell.y_m;
-    return {cell.z_m + d * (cell.slope + d * (cell.c2 + d * cell.c3)), cell.slope + d * (2.0 * cell.c2 + 3.0 * d * cell.c3),
-            2.0 * cell.c2 + 6.0 * d * cell.c3};
+    return {cell.z_m + d * (cell.slope + d * (cell.c2 + d * cell.c3)),
+            cell.slope + d * (2.0 * cell.c2 + 3.0 * d * cell.c3), 2.0 * cell.c2 + 6.0 * d * cell.c3};
   }
 
   double begin_m() const { return begin_m_; }  ///< where the profile's own range begins

@@ -7,8 +7,8 @@
 
 namespace loco {
 
-/// Smooth curve through points: cubic splines y(t), z(t) of the chord length t, continuous in slope and curvature, their
-/// second derivatives zero at both ends. In the profile frame (y to the field side, z down).
+/// Smooth curve through points: cubic splines y(t), z(t) of the chord length t, continuous in slope and curvature,
+/// their second derivatives zero at both ends. In the profile frame (y to the field side, z down).
 class ProfileCurve {
  public:
   /// @param points  at least two, no two neighbours alike

@@ -17,5 +17,4 @@ enum class ProfileKind { kWheel, kRail };
 ProfilePoints readProfileCsv(ProfileKind kind, const std::string& text, const std::string& file,
                              rail::Problems& problems);
 
-
 }  // namespace loco

@@ -18,9 +18,10 @@ struct StandingCase {
 /// One loaded contact.
 struct LoadedPatch {
   ContactRegion region;
-  double normal_N = 0.0;                 ///< with the region's share
+  double normal_N = 0.0;                    ///< with the region's share
   HertzContact::Ellipse ellipse{0.0, 0.0};  ///< of the whole region
-  double creep_x_N = 0.0, creep_y_N = 0.0;  ///< on the wheel, in the contact's frame P (x forward, y left), with the share
+  double creep_x_N = 0.0,
+         creep_y_N = 0.0;  ///< on the wheel, in the contact's frame P (x forward, y left), with the share
 };
 
 struct LoadedWheel {
