@@ -110,7 +110,7 @@ def _read_rows(path: str, bag: rosbag.Bag, locomotive: Optional[int]) -> Tuple[R
             states[stamp] = (m.time, m.location, m.speed, np.array(m.notch), np.array(m.traction),
                              np.array(m.coupler_force))
         elif topic == '/train/energy':
-            energies[stamp] = (np.array(m.loco_energy_rail), np.array(m.loco_energy_rim),
+            energies[stamp] = (np.array(m.loco_energy_rail), np.array(m.loco_energy_rim), np.array(m.loco_energy_slip),
                                np.array([getattr(m, name) for name in ACCOUNT_FIELDS]))
         elif m.axles:
             wheels[stamp] = (m.location, m.speed, [[getattr(axle, name) for name in AXLE_FIELDS] for axle in m.axles])
@@ -137,13 +137,13 @@ def _make_run(path: str, configuration: RunConfiguration, states: Rows, energies
         e = [np.array(column) for column in zip(*(energies[stamp] for stamp in stamps))]
     except ValueError:  # ragged
         raise ReportError(f'{path}: the number of vehicles changes within the bag: simulate again') from None
-    if s[3].shape[1:] == (0,) or not s[3].shape == s[4].shape == e[0].shape == e[1].shape:
+    if s[3].shape[1:] == (0,) or not s[3].shape == s[4].shape == e[0].shape == e[1].shape == e[2].shape:
         raise ReportError(f'{path}: no locomotive, or lists of locomotives that differ in length: simulate again')
     return Run(label=configuration.scenario, files=(path,), run_id=configuration.run_id,
                build_id=configuration.build_id, scenario=configuration.scenario, resolved=configuration.resolved,
                time_s=s[0], location_m=s[1], speed_mps=s[2], notch=s[3], traction_N=s[4], coupler_force_N=s[5],
-               loco_energy_rail_J=e[0], loco_energy_rim_J=e[1],
-               account={name: e[2][:, i] for i, name in enumerate(ACCOUNT_FIELDS)})
+               loco_energy_rail_J=e[0], loco_energy_rim_J=e[1], loco_energy_slip_J=e[2],
+               account={name: e[3][:, i] for i, name in enumerate(ACCOUNT_FIELDS)})
 
 
 def _make_adhesion(path: str, locomotive: Optional[int], wheels: Rows) -> Optional[Adhesion]:

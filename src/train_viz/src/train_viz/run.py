@@ -31,6 +31,7 @@ class Run:
     coupler_force_N: np.ndarray       # [row, coupler]
     loco_energy_rail_J: np.ndarray    # [row, locomotive], Eq. (4)
     loco_energy_rim_J: np.ndarray     # [row, locomotive]
+    loco_energy_slip_J: np.ndarray    # [row, locomotive], lost to slip between rim and rail
     account: Dict[str, np.ndarray]    # whole train: TrainEnergy's numbers by field name, [row]
     adhesion: Optional[Adhesion] = None  # of the first locomotive that has wheels on the rail; no locomotive of model 1d has
 
