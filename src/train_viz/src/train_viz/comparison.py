@@ -19,8 +19,9 @@ FITTED, PREDICTED = 'fitted', 'predicted'
 class Row:
     """One value beside the paper's."""
     quantity: str
-    whose: str
     unit: str      # kN, % or 1
+    place: str
+    whose: str
     paper: float
     ours: float
     kind: str      # FITTED or PREDICTED
@@ -106,25 +107,33 @@ class Comparison:
 
     def rows(self) -> List[Row]:
         """Every number that the paper states and these runs have."""
-        return [*self._forces(), *self._force_differences(), *self._energy_ratio(), *self._energy_differences()]
+        return [*self._forces(), *self._changes(), *self._force_differences(), *self._energy_ratio(), *self._energy_differences()]
 
     def _forces(self) -> Iterator[Row]:
-        why = {'1d': 'published limit 0.35 m g; F_max and P identified so that it is reached and lasts',
+        why = {'1d': 'published limit 0.35 m g; F_max and P identified so that it is reached',
                '2d': 'B and contact patch identified', '3d': 'patches from the profiles, P and B as in 2D'}
         for place, values in paper.FORCE_KN.items():
             for folder in self.folders:
-                yield Row(f'traction at {place:g} km{_in_curve(place)}', folder.label, 'kN', values[folder.model],
-                          self.force_kN(folder, place), PREDICTED if folder.model == '3d' else FITTED, why[folder.model])
+                yield Row('traction', 'kN', _at(place), folder.label, values[folder.model], self.force_kN(folder, place),
+                          PREDICTED if folder.model == '3d' else FITTED, why[folder.model])
+
+    def _changes(self) -> Iterator[Row]:
+        """Whether traction rises or falls from straight track into the curve."""
+        outside, inside = sorted(paper.FORCE_KN)
+        for folder in self.folders:
+            yield Row('change of traction into the curve', '%', f'{outside:g} to {inside:g} km', folder.label,
+                      100.0 * (paper.FORCE_KN[inside][folder.model] / paper.FORCE_KN[outside][folder.model] - 1.0),
+                      100.0 * (self.force_kN(folder, inside) / self.force_kN(folder, outside) - 1.0),
+                      PREDICTED if folder.model == '3d' else FITTED, 'from the two forces above')
 
     def _force_differences(self) -> Iterator[Row]:
         """Fig. 9; without 3D only what the stated forces give for 1D against 2D."""
         for base in self.of_model('3d'):
-            for place in sorted(paper.FORCE_KN):
-                for folder in self.of_model('1d') + self.of_model('2d'):
-                    yield self._difference(folder, base, place, paper.force_against(folder.model, '3d', place))
-            for folder in self.of_model('1d') + self.of_model('2d'):
-                place, value = paper.LARGEST_AGAINST_3D[folder.model]
-                yield self._difference(folder, base, place, value)
+            stated = [(place, model, paper.force_against(model, '3d', place)) for place in paper.FORCE_KN for model in ('1d', '2d')]
+            stated += [(place, model, value) for model, (place, value) in paper.LARGEST_AGAINST_3D.items()]
+            for place, model, value in sorted(stated):
+                for folder in self.of_model(model):
+                    yield self._difference(folder, base, place, value)
         if not self.has_3d:
             for folder in self.of_model('1d'):
                 for base in self.of_model('2d'):
@@ -132,14 +141,14 @@ class Comparison:
                         yield self._difference(folder, base, place, paper.force_against('1d', '2d', place))
 
     def _difference(self, folder: RunFolder, base: RunFolder, place: float, value: float) -> Row:
-        return Row(f'difference of traction at {place:g} km{_in_curve(place)}', f'{folder.label} against {base.label}', '%',
-                   value, self.force_against(folder, base, place), *_kind_against(base))
+        return Row('difference of traction', '%', _at(place), f'{folder.label} against {base.label}', value,
+                   self.force_against(folder, base, place), *_kind_against(base))
 
     def _energy_ratio(self) -> Iterator[Row]:
         for folder in self.of_model('1d'):
             for base in self.of_model('2d'):
                 for place in sorted(paper.ENERGY_AGAINST_3D):
-                    yield Row(f'energy from 3.0 to {place:g} km, ratio', f'{folder.label} / {base.label}', '1',
+                    yield Row('ratio of energy, Eq. (4)', '1', f'to {place:g} km', f'{folder.label} / {base.label}',
                               paper.energy_ratio('1d', '2d', place), self.energy_ratio(folder, base, place),
                               FITTED, 'P, B and patch identified with this ratio')
 
@@ -147,7 +156,7 @@ class Comparison:
         for base in self.of_model('3d'):
             for place, values in paper.ENERGY_AGAINST_3D.items():
                 for folder in self.of_model('1d') + self.of_model('2d'):
-                    yield Row(f'difference of energy from 3.0 to {place:g} km', f'{folder.label} against {base.label}', '%',
+                    yield Row('difference of energy, Eq. (4)', '%', f'to {place:g} km', f'{folder.label} against {base.label}',
                               values[folder.model], 100.0 * (self.energy_ratio(folder, base, place) - 1.0),
                               *_kind_against(base))
 
@@ -157,8 +166,8 @@ class Comparison:
         return max(found, key=lambda pair: abs(pair[1]))
 
 
-def _in_curve(place_km: float) -> str:
-    return ', in the curve' if 3.3 < place_km < 3.6 else ''
+def _at(place_km: float) -> str:
+    return f'{place_km:g} km' + (', in the curve' if 3.3 < place_km < 3.6 else '')
 
 
 def _kind_against(base: RunFolder) -> tuple:

@@ -57,6 +57,11 @@ def read_slip_limit(resolved: str) -> Optional[float]:
         return None
 
 
+def read_value(resolved: str, *path: Any) -> Any:
+    """The value at a path of keys and indices, or None; numbers as YAML's reader gives them."""
+    return _lookup(_load(resolved), *path)
+
+
 def _load(text: str) -> Any:
     try:
         return yaml.safe_load(text)

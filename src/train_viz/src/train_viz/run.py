@@ -1,5 +1,6 @@
 """One simulated run as plain arrays, and what is asked of it. Nothing here knows ROS or matplotlib."""
 import dataclasses
+import os
 from typing import Dict, List, Optional, Tuple
 
 import numpy as np
@@ -9,6 +10,19 @@ from train_viz.adhesion import Adhesion, join_adhesion
 
 class ReportError(Exception):
     """Something the user can mend: says which file and what to do."""
+
+
+def make_directory(path: str) -> None:
+    """For a program's --out.
+
+    @raise ReportError if it cannot be made or written
+    """
+    try:
+        os.makedirs(path, exist_ok=True)
+    except OSError as error:
+        raise ReportError(f'{path}: cannot be made ({error.strerror}): give another --out') from None
+    if not os.access(path, os.W_OK):
+        raise ReportError(f'{path}: not writable: give another --out')
 
 
 @dataclasses.dataclass(frozen=True)
