@@ -107,7 +107,8 @@ class Comparison:
 
     def rows(self) -> List[Row]:
         """Every number that the paper states and these runs have."""
-        return [*self._forces(), *self._changes(), *self._force_differences(), *self._energy_ratio(), *self._energy_differences()]
+        return [*self._forces(), *self._changes(), *self._force_differences(), *self._energy_ratio(),
+                *self._energy_differences()]
 
     def _forces(self) -> Iterator[Row]:
         why = {'1d': 'published limit 0.35 m g; F_max and P identified so that it is reached',
@@ -129,7 +130,8 @@ class Comparison:
     def _force_differences(self) -> Iterator[Row]:
         """Fig. 9; without 3D only what the stated forces give for 1D against 2D."""
         for base in self.of_model('3d'):
-            stated = [(place, model, paper.force_against(model, '3d', place)) for place in paper.FORCE_KN for model in ('1d', '2d')]
+            stated = [(place, model, paper.force_against(model, '3d', place)) for place in paper.FORCE_KN
+                      for model in ('1d', '2d')]
             stated += [(place, model, value) for model, (place, value) in paper.LARGEST_AGAINST_3D.items()]
             for place, model, value in sorted(stated):
                 for folder in self.of_model(model):
@@ -156,8 +158,9 @@ class Comparison:
         for base in self.of_model('3d'):
             for place, values in paper.ENERGY_AGAINST_3D.items():
                 for folder in self.of_model('1d') + self.of_model('2d'):
-                    yield Row('difference of energy, Eq. (4)', '%', f'to {place:g} km', f'{folder.label} against {base.label}',
-                              values[folder.model], 100.0 * (self.energy_ratio(folder, base, place) - 1.0),
+                    yield Row('difference of energy, Eq. (4)', '%', f'to {place:g} km',
+                              f'{folder.label} against {base.label}', values[folder.model],
+                              100.0 * (self.energy_ratio(folder, base, place) - 1.0),
                               *_kind_against(base))
 
     def largest_difference(self, folder: RunFolder, base: RunFolder) -> tuple:

@@ -1,4 +1,4 @@
-"""Figs. 3, 6, 7, 8 and 9 of the paper from our runs, with the values that it states marked; and energy over speed."""
+"""Figs. 3, 6, 7, 8 and 9 of the paper from our runs, with the values that it states marked."""
 from typing import List, Optional, Tuple
 
 from matplotlib import pyplot as plt
@@ -44,8 +44,8 @@ def draw_fig3(c: Comparison) -> Optional[Figure]:
     panels[0, 0].set_xlim(left=0.0)
     last = panels[0, -1]
     last.plot([], [], '.', color='0.3', markersize=6.0, label='adhesion used, every axle of the leading locomotive')
-    last.plot([], [], color='black', linestyle='--', linewidth=1.2, label=f'paper: slip limit {paper.SLIP_LIMIT:.0%}'.replace(
-        '%', ' %'))
+    last.plot([], [], color='black', linestyle='--', linewidth=1.2,
+              label=f'paper: slip limit {100.0 * paper.SLIP_LIMIT:g} %')
     last.plot([], [], color='black', linestyle=':', linewidth=1.5, label=f'paper: static friction {paper.STATIC_FRICTION}')
     figure.supxlabel('creep [%]', fontsize=12)
     figure.supylabel('coefficient of adhesion [-]', fontsize=12)
@@ -69,7 +69,8 @@ def draw_fig6(c: Comparison) -> Figure:
         points = [(place, values[model]) for place, values in sorted(paper.FORCE_KN.items())]
         words = ', '.join(f'{value:.0f} kN at {place:g} km' for place, value in points)
         for axes in (whole, near):
-            axes.plot(*zip(*points), color=colour_of_model(c, model), label=f'paper, {model.upper()}: {words}', **PAPER_STYLE)
+            axes.plot(*zip(*points), color=colour_of_model(c, model), label=f'paper, {model.upper()}: {words}',
+                      **PAPER_STYLE)
         for place, value in points:
             near.annotate(f'{value:.0f}', (place, value), xytext=(9, 0), textcoords='offset points', va='center',
                           fontsize=11, color=colour_of_model(c, model), zorder=7,
@@ -117,8 +118,8 @@ def draw_fig8(c: Comparison) -> Figure:
         plot_style.shade_curves(axes, c.runs, labels=axes is energy)
     for i, folder in enumerate(c.folders):
         stages = [c.stages(folder, place) for place in sorted(paper.ENERGY_AGAINST_3D)]
-        words = ', '.join(f'{s.rail_J / 1e6:.1f} MJ at {s.location_m / 1e3:g} km ({s.time_s:.1f} s, {3.6 * s.speed_mps:.2f} km/h)'
-                          for s in stages)
+        words = ', '.join(f'{s.rail_J / 1e6:.1f} MJ at {s.location_m / 1e3:g} km ({s.time_s:.1f} s, '
+                          f'{3.6 * s.speed_mps:.2f} km/h)' for s in stages)
         energy.plot(folder.run.location_km, folder.run.loco_energy_rail_J[:, 0] / 1e6, label=f'{folder.label}: {words}',
                     **plot_style.line_style(i))
         energy.plot([s.location_m / 1e3 for s in stages], [s.rail_J / 1e6 for s in stages], 'o', markersize=5.0,
@@ -134,7 +135,7 @@ def draw_fig8(c: Comparison) -> Figure:
 
 
 def _draw_energy_difference(axes: Axes, c: Comparison, base: RunFolder) -> None:
-    """Runs against the base over the places that both passed; 50 m after the start the energy is large enough to divide by."""
+    """Runs against the base over the places that both passed, from 50 m on: energy is then large enough to divide by."""
     axes.axhline(0.0, color='0.3', linewidth=1.0)
     base_km, base_J = base.run.location_km, base.run.loco_energy_rail_J[:, 0]
     for i, folder in enumerate(c.folders):
@@ -201,47 +202,3 @@ def _paper_forces(model: str, base: str) -> List[Tuple[float, float]]:
     if base == '3d':
         return [paper.LARGEST_AGAINST_3D[model]] if model in paper.LARGEST_AGAINST_3D else []
     return [(place, paper.force_against(model, base, place)) for place in sorted(paper.FORCE_KN)] if model != base else []
-
-
-def draw_equal_speed(c: Comparison) -> Figure:
-    """Energy at rail and rim over speed, and by stage where all trains have the slowest one's final speed."""
-    height = 1.4 + 0.5 * len(c.folders)
-    figure, (lines, bars) = plt.subplots(2, 1, figsize=(9.0, 5.4 + height), gridspec_kw={'height_ratios': (5.4, height)})
-    speed_kmph = 3.6 * c.equal_speed_mps
-    lines.axvline(speed_kmph, color='black', linestyle=':', linewidth=1.5, label=f'equal speed: {speed_kmph:.2f} km/h')
-    for i, folder in enumerate(c.folders):
-        run, style = folder.run, plot_style.line_style(i)
-        lines.plot(run.speed_kmph, run.loco_energy_rail_J[:, 0] / 1e6, label=f'{folder.label} at the rail, Eq. (4)', **style)
-        if run.rim_differs():
-            lines.plot(run.speed_kmph, run.loco_energy_rim_J[:, 0] / 1e6, '--', label=f'{folder.label} at the rim', **style)
-    plot_style.start_at_zero(lines)
-    lines.set_xlabel('speed of the leading locomotive [km/h]')
-    lines.set_ylabel('energy [MJ]')
-    lines.set_title('Energy of the leading locomotive over speed')
-    lines.legend(loc='upper left')
-    _draw_stages(bars, c)
-    bars.set_title(f'where each train first reaches {speed_kmph:.2f} km/h', fontsize=12)
-    plot_style.legend_below(figure, bars)
-    return figure
-
-
-STAGES = (('rail_J', 'at the rail, Eq. (4)', 1.0), ('slip_J', 'slip loss', 0.55),
-          ('stored_J', 'wheel spin-up and other storage', 0.25))
-
-
-def _draw_stages(axes: Axes, c: Comparison) -> None:
-    """A bar a run, rail to rim; paler from stage to stage."""
-    for i, folder in enumerate(c.folders):
-        s, left = c.stages_at_equal_speed(folder), 0.0
-        for name, _, alpha in STAGES:
-            value = getattr(s, name) / 1e6
-            axes.barh(i, value, height=0.62, left=left, color=colour_of(c, folder), alpha=alpha)
-            left += value
-        axes.text(left, i, f'  {s.rail_J / 1e6:.1f} + {s.slip_J / 1e6:.1f} + {s.stored_J / 1e6:.1f} MJ', va='center', fontsize=11)
-    for _, words, alpha in STAGES:
-        axes.barh(0, 0.0, color='0.2', alpha=alpha, label=words)
-    axes.set_yticks(range(len(c.folders)), [f'{folder.label}, {c.stages_at_equal_speed(folder).time_s:.1f} s' for folder in c.folders])
-    axes.invert_yaxis()
-    axes.set_xlim(0.0, 1.32 * axes.get_xlim()[1])  # room for the numbers
-    axes.grid(axis='y', visible=False)
-    axes.set_xlabel('energy of the leading locomotive [MJ]')

@@ -12,15 +12,15 @@ from train_viz.resolved_scenario import read_value
 TITLE = "The paper's three simulations, ours beside it"
 
 CAPTIONS = {
-    'fig3_adhesion_creep': 'Fig. 3. Adhesion that each axle uses over its creep. The controller holds the slip limit; along it '
-                           'adhesion falls with the friction as speed rises.',
+    'fig3_adhesion_creep': 'Fig. 3. Adhesion that each axle uses over its creep. The controller holds the slip limit; '
+                           'along it adhesion falls with the friction as speed rises.',
     'fig6_traction_force': 'Fig. 6. Diamonds: values that the paper states.',
-    'fig7_friction_adhesion': 'Fig. 7. What the rail offers and what is used of it. Diamonds: the forces that the paper states over '
-                              "the locomotive's weight.",
-    'fig8_energy': 'Fig. 8. Energy by Eq. (4), final speed and time beside it; below, the difference in per cent and the '
-                   "paper's percentages as diamonds.",
-    'fig9_force_difference': 'Fig. 9. The rate of Eq. (4) is the force, so these are differences of force. Diamonds: values that '
-                             'the paper states, or that follow from the forces that it states.',
+    'fig7_friction_adhesion': 'Fig. 7. What the rail offers and what is used of it. Diamonds: the forces that the '
+                              "paper states over the locomotive's weight.",
+    'fig8_energy': 'Fig. 8. Energy by Eq. (4), final speed and time beside it; below, the difference in per cent and '
+                   "the paper's percentages as diamonds.",
+    'fig9_force_difference': 'Fig. 9. The rate of Eq. (4) is the force, so these are differences of force. Diamonds: '
+                             'values that the paper states, or that follow from the forces that it states.',
 }
 
 
@@ -53,9 +53,9 @@ def _missing_words(c: Comparison, missing: List[str]) -> str:
 
 
 def _beside_the_paper(c: Comparison) -> List[str]:
-    pieces = [page.paragraph('Kind "fitted": P, F_max, B and the contact patch of 2D were identified from the forces and energy '
-                             'ratios of 1D and 2D, so agreement there is no evidence. "Predicted": follows from 3D, which no '
-                             'parameter was tuned to. "Points" are percentage points.')]
+    pieces = [page.paragraph('Kind "fitted": P, F_max, B and the contact patch of 2D were identified from the forces '
+                             'and energy ratios of 1D and 2D, so agreement there is no evidence. "Predicted": follows '
+                             'from 3D, which no parameter was tuned to. "Points" are percentage points.')]
     for (quantity, unit), rows in itertools.groupby(c.rows(), lambda row: (row.quantity, row.unit)):
         cells = [[row.place, row.whose, format(row.paper, PAPER_FORMATS[unit]), format(row.ours, FORMATS[unit]),
                   *_deviation(row), Badge(row.kind, strong=row.kind == PREDICTED), row.why] for row in rows]
@@ -63,8 +63,8 @@ def _beside_the_paper(c: Comparison) -> List[str]:
                                   'why'], cells, (0, 1, 6, 7), 'even'))
     pieces += [page.paragraph('The values that were identified, as these runs used them:'), identified_values(c)]
     pieces += [page.paragraph(_largest_words(c))] if c.has_3d and len(c.folders) > 1 else []
-    pieces.append(page.paragraph("The paper's text gives 9.6 % for 1D against 3D at 3.15 km: that is relative to 1D. Its forces of "
-                                 '460 and 416 kN give 10.6 % relative to 3D.'))
+    pieces.append(page.paragraph("The paper's text gives 9.6 % for 1D against 3D at 3.15 km: that is relative to 1D. "
+                                 'Its forces of 460 and 416 kN give 10.6 % relative to 3D.'))
     return pieces
 
 
@@ -87,8 +87,8 @@ def _largest_words(c: Comparison) -> str:
         for folder in c.of_model('1d') + c.of_model('2d'):
             place, value = c.largest_difference(folder, base)
             paper_place, paper_value = paper.LARGEST_AGAINST_3D[folder.model]
-            words.append(f'{folder.label} against {base.label} {value:+.1f} % at {place:g} km (paper {paper_value:+.1f} % at '
-                         f'{paper_place:g} km)')
+            words.append(f'{folder.label} against {base.label} {value:+.1f} % at {place:g} km (paper {paper_value:+.1f} '
+                         f'% at {paper_place:g} km)')
     places = ', '.join(f'{place:g}' for place in paper.FIG9_PLACES_KM)
     return f'Largest differences of force at {places} km: ' + '; '.join(words) + '.'
 
@@ -117,13 +117,14 @@ def _energy_by_stage(c: Comparison) -> List[str]:
             s = c.stages(folder, place)
             rows.append([f'{place:g} km', folder.label, f'{s.time_s:.2f}', f'{3.6 * s.speed_mps:.2f}', *_stage_cells(s),
                          *(_against(s, c.stages(c.base, place)) if c.base else [])])
-    return [page.table(['from 3.0 km to', 'model', 'time [s]', 'speed [km/h]', *STAGE_HEADER, *_against_header(c)], rows, (0, 1)),
-            page.paragraph('Eq. (4) counts the force at the rail times the way. What the motors pay at the rim is more: it also '
-                           'covers the slip loss and the energy that spins up the wheels. A 1D locomotive has no wheels, so both '
-                           'are the same.'),
+    header = ['from 3.0 km to', 'model', 'time [s]', 'speed [km/h]', *STAGE_HEADER, *_against_header(c)]
+    return [page.table(header, rows, (0, 1)),
+            page.paragraph('Eq. (4) counts the force at the rail times the way. What the motors pay at the rim is '
+                           'more: it also covers the slip loss and the energy that spins up the wheels. A 1D '
+                           'locomotive has no wheels, so both are the same.'),
             page.paragraph(_k0_words(c)),
-            page.notice('Less energy at one place is not a saving: the train with less energy is slower there, and lacks kinetic '
-                        'energy. See the comparison at equal speed.')]
+            page.notice('Less energy at one place is not a saving: the train with less energy is slower there, and '
+                        'lacks kinetic energy. See the comparison at equal speed.')]
 
 
 def _k0_words(c: Comparison) -> str:
@@ -143,21 +144,22 @@ def _equal_speed(c: Comparison, pictures: Dict[str, str]) -> List[str]:
         s = c.stages_at_equal_speed(folder)
         rows.append([folder.label, f'{s.time_s:.2f}', f'{s.location_m / 1e3:.3f}', *_stage_cells(s),
                      *(_against(s, c.stages_at_equal_speed(c.base)) if c.base else [])])
-    pieces = [page.paragraph(f'Equal speed is {speed:.3f} km/h, the final speed of the slowest run ({slowest.label}). Each row '
-                             'gives the energy since the start, and time and place, where the leading locomotive first reaches '
-                             'it. All trains then have the same kinetic energy but for what couplers still move; '
-                             'they have come different ways, so resistances took different shares.'),
+    pieces = [page.paragraph(f'Equal speed is {speed:.3f} km/h, the final speed of the slowest run ({slowest.label}). '
+                             'Each row gives the energy since the start, and time and place, where the leading '
+                             'locomotive first reaches it. All trains then have the same kinetic energy but for what '
+                             'couplers still move; they have come different ways, so resistances took different shares.'),
               page.table(['model', 'time [s]', 'place [km]', *STAGE_HEADER, *_against_header(c)], rows)]
     pieces.append(page.paragraph(_k0_words(c)))
     if 'equal_speed' in pictures:
         pieces.append(page.picture(pictures['equal_speed'], 'Energy of the leading locomotive over speed',
-                                   'Energy over speed, and by stage where all trains have the same speed: rail + slip + storage.'))
+                                   'Energy over speed, and by stage at equal speed: rail + slip + storage.'))
     return pieces
 
 
 ACCOUNT_ROWS = (('account_traction_rim', 'traction at the rim'), ('account_slip_loss', 'slip loss'),
                 ('account_traction_rail', 'traction at the rail'), ('account_kinetic', 'kinetic, change'),
-                ('account_propulsion_resistance', 'propulsion resistance'), ('account_curving_resistance', 'curving resistance'),
+                ('account_propulsion_resistance', 'propulsion resistance'),
+                ('account_curving_resistance', 'curving resistance'),
                 ('account_potential', 'potential, change'), ('account_coupler_loss', 'coupler loss'),
                 ('account_coupler_stored', 'coupler springs, change'))
 
@@ -170,6 +172,6 @@ def _account(c: Comparison) -> List[str]:
              ['time at the end [s]'] + [f'{get("final_time", "s"):.2f}' for get in of],
              ['speed at the end [km/h]'] + [f'{3.6 * get("final_speed", "m/s"):.3f}' for get in of],
              ['place at the end [km]'] + [f'{get("final_location", "m") / 1e3:.3f}' for get in of]]
-    return [page.paragraph('Of the whole train from start to end. The residual is what traction at the rail leaves over when all '
-                           'that it became is taken away.'),
+    return [page.paragraph('Of the whole train from start to end. The residual is what traction at the rail leaves '
+                           'over when all that it became is taken away.'),
             page.table(['whole train', *(folder.label for folder in c.folders)], rows)]

@@ -12,7 +12,8 @@ IDENTIFIED = (
     ('power at the rail P [MW]', 1e-6, VEHICLE + ('traction', 'power_at_rail_W'), ('1d', '2d', '3d')),
     ('exponential friction decrease B [s/m]', 1.0, ('adhesion', 'friction', 'B_s_per_m'), ('2d', '3d')),
     ('2D patch: rail crown radius [m]', 1.0, VEHICLE + ('contact', 'rail_crown_radius_m'), ('2d',)),
-    ('2D patch: transverse curvature of the wheel [1/m]', 1.0, VEHICLE + ('contact', 'wheel_transverse_curvature_1pm'), ('2d',)),
+    ('2D patch: transverse curvature of the wheel [1/m]', 1.0,
+     VEHICLE + ('contact', 'wheel_transverse_curvature_1pm'), ('2d',)),
 )
 
 

@@ -23,13 +23,17 @@ th { background: #f2f5f7; vertical-align: bottom; }
 th.text, td.text { text-align: left; }
 td { font-variant-numeric: tabular-nums; white-space: nowrap; }
 td.text { white-space: normal; }
-td.text:nth-child(-n+2) { white-space: nowrap; }
+table.even td:nth-child(-n+2) { white-space: nowrap; }
 tbody tr:hover { background: #f7f7f2; }
 table.even { width: 100%; table-layout: fixed; min-width: 64rem; }
-table.even th:nth-child(1) { width: 18%; }
+table.even th:nth-child(1) { width: 17%; }
 table.even th:nth-child(2) { width: 17%; }
-table.even th:nth-child(7) { width: 9.5%; }
-table.even th:nth-child(8) { width: 23%; }
+table.even th:nth-child(3) { width: 6.5%; }
+table.even th:nth-child(4) { width: 7%; }
+table.even th:nth-child(5) { width: 12%; }
+table.even th:nth-child(6) { width: 12%; }
+table.even th:nth-child(7) { width: 10%; }
+table.even th:nth-child(8) { width: 18.5%; }
 .badge { display: inline-block; border-radius: 0.7em; padding: 0 0.6em; white-space: nowrap; background: #e4e4e4; }
 .badge.strong { background: #d3ecdf; }
 .notice { border-left: 5px solid #E69F00; background: #fdf6e3; padding: 0.6rem 1rem; max-width: 52rem; margin: 0.8rem 0; }
@@ -97,12 +101,15 @@ def table(header: Sequence[str], rows: Sequence[Sequence], text_columns: Sequenc
     @param style a class of STYLE; `even`: as wide as the page, so that tables below each other line up
     """
     def line(cells: Sequence, tag: str) -> str:
-        return '<tr>' + ''.join(f'<{tag}{" class=" + chr(34) + "text" + chr(34) if i in text_columns else ""}>{_cell(cell)}</{tag}>'
-                                for i, cell in enumerate(cells)) + '</tr>'
+        kinds = [' class="text"' if i in text_columns else '' for i in range(len(cells))]
+        return '<tr>' + ''.join(f'<{tag}{kind}>{_cell(cell)}</{tag}>' for kind, cell in zip(kinds, cells)) + '</tr>'
+
     for row in rows:
         assert len(row) == len(header), row
     body = '\n'.join(line(row, 'td') for row in rows)
-    return f'<div class="scroll"><table class="{style}">\n<thead>{line(header, "th")}</thead>\n<tbody>\n{body}\n</tbody>\n</table></div>'
+    head = line(header, 'th')
+    return (f'<div class="scroll"><table class="{style}">\n<thead>{head}</thead>\n<tbody>\n{body}\n</tbody>\n'
+            '</table></div>')
 
 
 def _cell(cell) -> str:

@@ -40,8 +40,8 @@ class Summary:
                 '' if place is None else f' at {place:g} km: add it to output.report_locations_km and run as far as there'))
         found, value = self.values[key]
         if found != unit:
-            raise ReportError(f'{self.path}: {key[1]} is in {found}, {unit} is expected: use the train_viz of the build that '
-                              'wrote it')
+            raise ReportError(f'{self.path}: {key[1]} is in {found}, {unit} is expected: use the train_viz of the '
+                              'build that wrote it')
         return value
 
 
@@ -55,8 +55,8 @@ def read_summary(path: str) -> Summary:
     except (ValueError, csv.Error) as error:
         raise ReportError(f'{path}: no CSV ({error}): simulate again') from None
     if tuple(header) != COLUMNS:
-        raise ReportError(f'{path}: columns {",".join(header)}, expected {",".join(COLUMNS)}: use the train_viz of the build '
-                          'that wrote it')
+        raise ReportError(f'{path}: columns {",".join(header)}, expected {",".join(COLUMNS)}: use the train_viz of the '
+                          'build that wrote it')
     values: Dict[Key, Tuple[str, float]] = {}
     for number, row in enumerate(rows, start=2):
         try:
