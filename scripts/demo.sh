@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
-# Runs the paper's case as a node graph, once for each locomotive model, and draws the figures.
-#   scripts/demo.sh [--model 1d|2d|3d|all] [--out DIR]
+# Runs the paper's case as a node graph, once for each locomotive model, draws the figures and compares with the paper.
+#   scripts/demo.sh [--model 1d|2d|3d|3d_two_point|all] [--out DIR]
 #     --model   default all: every model that has a config/scenarios/paper_MODEL.yaml
-#     --out     default results/paper: DIR/MODEL (bag, outcome.yaml, summary.csv), DIR/figures, DIR/summary.csv, DIR/log
-# Replaces an earlier run in DIR/MODEL and nothing else. Exits non-zero unless every run finished and all figures are there.
+#     --out     default results/paper: DIR/report.html, DIR/figures, DIR/summary.csv, DIR/log, DIR/MODEL (bag, outcome.yaml,
+#               summary.csv)
+# Replaces earlier runs in DIR/MODEL, the report, summary and figures, nothing else. Exits non-zero unless every run finished
+# and all results are there.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
 started_s=$SECONDS
-known_models=(1d 2d 3d)
+known_models=(1d 2d 3d 3d_two_point)  # the last: 3D with another pair of profiles
 
-usage() { sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; }
+usage() { sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; }
 fail() {
   echo "demo: $1" >&2
   exit "${2:-1}"
@@ -143,29 +145,22 @@ for name in "${models[@]}"; do
   run_model "$name"
 done
 
-bags=()
+runs=() bags=()
 for name in "${models[@]}"; do
+  runs+=("$out/$name")
   bags+=("$out/$name"/*.bag)
 done
+rosrun train_viz paper_comparison "${runs[@]}" --out "$out" || fail "no comparison: see the message above"
 rosrun train_viz report "${bags[@]}" --out "$out/figures" || fail "no figures: see the message above"
-
-# One table of all models: the header once, then the rows of each.
-first="$out/${models[0]}/summary.csv"
-for name in "${models[@]}"; do
-  [[ "$(head -n 1 "$out/$name/summary.csv")" == "$(head -n 1 "$first")" ]] \
-    || fail "$out/$name/summary.csv and $first have different headers: they come from different versions"
+for file in report.html summary.csv; do
+  [[ -s "$out/$file" ]] || fail "$out/$file was not written"
 done
-{
-  head -n 1 "$first"
-  for name in "${models[@]}"; do
-    tail -n +2 "$out/$name/summary.csv"
-  done
-} > "$out/summary.csv"
 
 echo "demo: results in $out"
+echo "  report.html  our values beside the paper's: open it in a browser"
+echo "  figures/     $(find "$out/figures" -type f | wc -l) files; Figs. 3, 6, 7, 8, 9 of the paper begin with fig"
+echo "  summary.csv  energy and speeds of: ${models[*]}"
 for name in "${models[@]}"; do
-  echo "  $name/         bag, outcome.yaml, summary.csv"
+  printf '  %-12s bag, outcome.yaml, summary.csv\n' "$name/"
 done
-echo "  figures/    $(find "$out/figures" -type f | wc -l) files"
-echo "  summary.csv energy and speeds of: ${models[*]}"
 echo "demo: done in $((SECONDS - started_s)) s"

@@ -31,7 +31,7 @@ track:
 
 
 def simulate(locos: int, wagons: int, end_km: float = 4.5, limit_N: float = 460.1e3, slip: float = 0.0,
-             duration_s: float = 1e9) -> Dict[str, np.ndarray]:
+             duration_s: float = 1e9, period_s: float = PERIOD_S) -> Dict[str, np.ndarray]:
     """Rows of a run from 3.0 km and 5 km/h; `slip` is the share of the traction work lost while the limit acts."""
     mass = locos * LOCO_KG + wagons * WAGON_KG
     s, v, t, force, row = 3000.0, 5.0 / 3.6, 0.0, 0.0, []
@@ -40,13 +40,13 @@ def simulate(locos: int, wagons: int, end_km: float = 4.5, limit_N: float = 460.
         notch = min(8.0, 1.0 + t // 10.0)
         row.append((t, s, v, notch, force, work, rim, resistance_work))
         wanted = min(notch / 8.0 * 560e3, (notch / 8.0) ** 2 * 4.1e6 / v, limit_N)
-        force += np.clip(wanted - force, -160e3 * PERIOD_S, 40e3 * PERIOD_S)
+        force += np.clip(wanted - force, -160e3 * period_s, 40e3 * period_s)
         resistance = mass / 1000.0 * (6.0 + 0.03 * v * 3.6)
-        new_v = v + (locos * force - resistance) / mass * PERIOD_S
-        step = (v + new_v) / 2.0 * PERIOD_S
+        new_v = v + (locos * force - resistance) / mass * period_s
+        step = (v + new_v) / 2.0 * period_s
         work, resistance_work = work + force * step, resistance_work + resistance * step
         rim += force * step * (1.0 + (slip if force >= 0.99 * limit_N else 0.0))
-        s, v, t = s + step, new_v, t + PERIOD_S
+        s, v, t = s + step, new_v, t + period_s
     return dict(zip(('time', 'location', 'speed', 'notch', 'traction', 'work', 'rim', 'resistance_work'),
                     np.array(row).T))
 
@@ -107,12 +107,12 @@ def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: i
 
 def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: int = 5, run_id: int = 1,
               resolved: Optional[str] = None, format_version: int = 2, rows_from: int = 0, with_wheels: Sequence[int] = (),
-              **simulation) -> Dict:
+              period_s: float = PERIOD_S, **simulation) -> Dict:
     """Writes a bag and returns what it holds: simulate()'s columns, the coupler forces and the axles' columns.
 
     @param with_wheels locomotives, from 1, that have an adhesion topic
     """
-    rows = simulate(locos, wagons, **simulation)
+    rows = simulate(locos, wagons, period_s=period_s, **simulation)
     axles = axle_columns(rows)
     couplers = coupler_forces(rows['time'], rows['traction'], locos, wagons)
     configuration = RunConfiguration(format_version=format_version, build_id='test', run_id=run_id, scenario=scenario)
@@ -120,7 +120,7 @@ def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: in
     mass = locos * LOCO_KG + wagons * WAGON_KG
     with rosbag.Bag(path, 'w') as bag:
         for i in range(rows_from, len(rows['time'])):
-            stamp = genpy.Time(nsecs=10**9 + i * 20_000_000)  # stamps start at 1 s
+            stamp = genpy.Time(nsecs=10**9 + i * round(1e9 * period_s))  # stamps start at 1 s
             if i == rows_from:
                 bag.write('/train/configuration', configuration, stamp)
             messages = [('/train/state', state_message(rows, i, couplers, locos)),

@@ -75,10 +75,15 @@ FORMATS = {'kN': '.1f', '%': '+.1f', '1': '.4f'}
 
 def _deviation(row: Row) -> List[str]:
     """In the unit; and relative, but of a percentage whether its sign is another."""
-    words = {'kN': f'{row.deviation:+.2f} kN', '%': f'{row.deviation:+.2f} points', '1': f'{row.deviation:+.4f}'}[row.unit]
+    words = {'kN': f'{_signed(row.deviation, 2)} kN', '%': f'{_signed(row.deviation, 2)} points',
+             '1': _signed(row.deviation, 4)}[row.unit]
     if row.unit == '%':
         return [words, 'opposite sign' if row.paper * row.ours < 0.0 else '']
-    return [words, f'{100.0 * row.deviation / row.paper:+.2f} %']
+    return [words, f'{_signed(100.0 * row.deviation / row.paper, 2)} %']
+
+
+def _signed(value: float, digits: int) -> str:
+    return f'{round(value, digits) + 0.0:+.{digits}f}'  # + 0.0: no minus before a zero
 
 
 def _largest_words(c: Comparison) -> str:
