@@ -80,6 +80,7 @@ class BagReaderTest(unittest.TestCase):
         for read, name in ((run.notch, 'notch'), (run.traction_N, 'traction'), (run.loco_energy_rail_J, 'work'),
                            (run.loco_energy_rim_J, 'rim')):
             np.testing.assert_array_equal(read, np.column_stack([written[name]] * 2))
+        np.testing.assert_allclose(run.loco_energy_slip_J, np.column_stack([0.9 * (written['rim'] - written['work'])] * 2))
         np.testing.assert_array_equal(run.account['traction_rail'], 2 * written['work'])
         self.assertNotIn('loco_energy_rail', run.account)
         self.assertTrue(run.rim_differs())

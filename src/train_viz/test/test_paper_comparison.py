@@ -57,7 +57,8 @@ class PaperComparisonTest(unittest.TestCase):
         cls.addClassCleanup(directory.cleanup)
         cls.folder = {key: write_run_folder(directory.name, key, as_in_the_paper(key)) for key in ('1d', '2d', '3d')}
         cls.folder['3d_two_point'] = write_run_folder(
-            directory.name, '3d_two_point', {('traction_force', 3.15): 384e3, ('traction_force', 3.45): 380e3}, limit_N=390e3)
+            directory.name, '3d_two_point', {('traction_force', 3.15): 384e3, ('traction_force', 3.45): 380e3},
+            limit_N=390e3)
         cls.folders = {folder.key: folder for folder in read_run_folders(list(cls.folder.values()))}
         cls.three = Comparison([cls.folders[key] for key in ('1d', '2d', '3d')])
         cls.four = Comparison(list(cls.folders.values()))
@@ -131,8 +132,8 @@ class PaperComparisonTest(unittest.TestCase):
             for axes in figure.axes:
                 self.assertEqual(axes.get_ylabel(), 'traction at the rail [kN]')
                 self.assertEqual(axes.get_xlabel(), 'place of the leading locomotive [km]')
-                self.assertEqual(sorted(marks(axes).values()), [[(3.15, 400.0), (3.45, 386.0)], [(3.15, 416.0), (3.45, 423.0)],
-                                                                [(3.15, 460.0), (3.45, 460.0)]])
+                self.assertEqual(sorted(marks(axes).values()),
+                                 [[(3.15, 400.0), (3.45, 386.0)], [(3.15, 416.0), (3.45, 423.0)], [(3.15, 460.0), (3.45, 460.0)]])
             self.assertIn('paper, 3D: 416 kN at 3.15 km, 423 kN at 3.45 km', legend_texts(figure))
             near = figure.axes[1]
             self.assertEqual({'460', '400', '416', '386', '423'} - {text.get_text() for text in near.texts}, set())
@@ -233,7 +234,8 @@ class PaperComparisonTest(unittest.TestCase):
         self.assertIn(['4.5 km', '2D', f'{s.time_s:.2f}', f'{3.6 * s.speed_mps:.2f}', '196.60', f'{s.slip_J / 1e6:.2f}',
                        f'{s.stored_J / 1e6:.2f}', f'{s.rim_J / 1e6:.2f}', '-1.7 %'], [row[:9] for row in rows])
         s = self.three.stages_at_equal_speed(self.folders['1d'])
-        self.assertIn(['1D', f'{s.time_s:.2f}', f'{s.location_m / 1e3:.3f}', f'{s.rail_J / 1e6:.2f}'], [row[:4] for row in rows])
+        self.assertIn(['1D', f'{s.time_s:.2f}', f'{s.location_m / 1e3:.3f}', f'{s.rail_J / 1e6:.2f}'],
+                      [row[:4] for row in rows])
         self.assertEqual(page.count('k0 = 0.075'), 2)  # beside both tables that show the slip loss
         self.assertIn('is not a saving', page)
 
@@ -261,7 +263,8 @@ class PaperComparisonTest(unittest.TestCase):
 
     def run_program(self, *keys, folders=()):
         paths = [self.folder[key] for key in keys] + list(folders)
-        return subprocess.run([sys.executable, PROGRAM, *paths, '--out', self.out], capture_output=True, text=True, check=False)
+        return subprocess.run([sys.executable, PROGRAM, *paths, '--out', self.out], capture_output=True, text=True,
+                              check=False)
 
     def assert_refused(self, result, *words):
         self.assertEqual(result.returncode, 2, result.stderr)

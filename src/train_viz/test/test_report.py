@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The program `report` from the outside: files, exit codes, messages; and what its figures show."""
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -14,6 +15,7 @@ from synthetic_bag import write_bag
 from train_viz.account_figure import draw_energy_account
 from train_viz.bag_reader import read_bag
 from train_viz.coupler_figure import COLUMNS, bin_extremes, draw_coupler_forces
+from train_viz.flow_figure import draw_energy_flow, flows_of
 from train_viz.place_figures import draw_energy, draw_traction_force
 
 REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'scripts', 'report')
@@ -36,7 +38,8 @@ class ReportTest(unittest.TestCase):
         return subprocess.run([sys.executable, REPORT, *arguments], capture_output=True, text=True, check=False)
 
     def assert_figures(self, *names):
-        self.assertEqual(sorted(os.listdir(self.out)), sorted(f'{n}.{s}' for n in names for s in ('png', 'svg')))
+        self.assertEqual(sorted(os.listdir(self.out)),
+                         sorted([f'{n}.{s}' for n in names for s in ('png', 'svg')] + ['report.html']))
         for name in names:
             with open(os.path.join(self.out, f'{name}.png'), 'rb') as file:
                 self.assertEqual(file.read(8), b'\x89PNG\r\n\x1a\n')
@@ -60,19 +63,20 @@ class ReportTest(unittest.TestCase):
     def test_missing_out_is_refused(self):
         self.assertEqual(self.report(self.bag).returncode, 2)
 
-    def test_one_run_gives_five_figures(self):
+    def test_one_run_gives_six_figures(self):
         write_bag(self.bag, 'paper 1d/x', duration_s=60.0)
         result = self.report(self.bag, '--out', self.out)
         self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
-        self.assert_figures(*COMPARISONS, 'coupler_forces_paper_1d_x')
+        self.assert_figures(*COMPARISONS, 'energy_flow_paper_1d_x', 'coupler_forces_paper_1d_x')
 
-    def test_two_runs_share_figures_but_for_the_couplers(self):
+    def test_two_runs_share_figures_but_for_flows_and_couplers(self):
         other = self.bag.replace('run.bag', 'other.bag')
         write_bag(self.bag, 'left', run_id=1, duration_s=60.0)
         write_bag(other, 'right', run_id=2, wagons=9, duration_s=50.0, resolved='')
         result = self.report(self.bag, other, '--out', self.out)
         self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
-        self.assert_figures(*COMPARISONS, 'coupler_forces_left', 'coupler_forces_right')
+        self.assert_figures(*COMPARISONS, 'coupler_forces_left', 'coupler_forces_right', 'energy_flow_left',
+                            'energy_flow_right')
 
     def test_runs_with_wheels_beside_one_without_get_their_figures(self):
         other = self.bag.replace('run.bag', 'other.bag')
@@ -80,7 +84,8 @@ class ReportTest(unittest.TestCase):
         write_bag(other, '2d', run_id=2, duration_s=60.0, with_wheels=(1, 2))
         result = self.report(self.bag, other, '--out', self.out)
         self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
-        self.assert_figures(*COMPARISONS, 'coupler_forces_1d', 'coupler_forces_2d', 'friction_adhesion',
+        self.assert_figures(*COMPARISONS, 'coupler_forces_1d', 'coupler_forces_2d', 'energy_flow_1d', 'energy_flow_2d',
+                            'friction_adhesion',
                             'adhesion_creep_2d', 'adhesion_control_2d', 'axle_loads_2d')
 
     def test_vehicle_alone_gives_no_coupler_figure_and_says_so(self):
@@ -88,7 +93,7 @@ class ReportTest(unittest.TestCase):
         result = self.report(self.bag, '--out', self.out)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn('no couplers', result.stderr)
-        self.assert_figures(*COMPARISONS)
+        self.assert_figures(*COMPARISONS, 'energy_flow_synthetic')
 
     def test_traction_is_in_kN_over_km_with_the_limit(self):
         written = write_bag(self.bag, duration_s=60.0)
@@ -122,6 +127,41 @@ class ReportTest(unittest.TestCase):
         cells = [cell.get_text().get_text() for cell in draw_energy_account([run]).axes[1].tables[0].get_celld().values()]
         for text in ('residual [J]', '-1.23e+04', '60.00', f'{run.speed_mps[-1] * 3.6:.3f}'):
             self.assertIn(text, cells)
+
+    def test_page_opens_offline_with_every_figure_numbers_and_configuration(self):
+        other = self.bag.replace('run.bag', 'other.bag')
+        write_bag(self.bag, '1d', run_id=1, duration_s=60.0)
+        write_bag(other, '2d', run_id=2, duration_s=60.0, slip=0.1, limit_N=50e3, with_wheels=(1,))
+        self.assertEqual(self.report(self.bag, other, '--out', self.out).returncode, 0)
+        with open(os.path.join(self.out, 'report.html'), encoding='utf-8') as file:
+            page = file.read()
+        pictures = [name for name in os.listdir(self.out) if name.endswith('.png')]
+        self.assertEqual(page.count('src="data:image/png;base64,iVBORw0KGgo'), len(pictures))
+        for name in pictures:
+            self.assertEqual(page.count(f'<figcaption>{name[:-4]}: '), 1, name)
+        self.assertEqual(re.findall(r'src="(?!data:)|href="(?!#)|https?:|@import|url\(', page), [])
+        run = read_bag(other)
+        for text in (f'{run.time_s[-1]:.2f}', f'{run.speed_kmph[-1]:.2f}', f'{run.loco_energy_rail_J[-1, 0] / 1e6:.2f}',
+                     f'{run.loco_energy_rim_J[-1, 0] / 1e6:.2f}', 'test', other):
+            self.assertIn(f'>{text}</td>', page)
+        self.assertIn('control: {law: pi, slip_limit: 0.07}', page)
+        self.assertIn('is not a saving', page)
+
+    def test_flow_picture_balances_and_names_every_stage_in_MJ(self):
+        write_bag(self.bag, slip=0.1, limit_N=50e3, duration_s=60.0)
+        run = read_bag(self.bag)
+        run.account['potential'][-1] = -30e6
+        run.account['kinetic'][-1] += 30e6
+        sources, losses, sinks = flows_of(run)
+        self.assertEqual([flow[0] for flow in sources], ['motors, at the rim', 'given back: potential, change'])
+        self.assertEqual([flow[0] for flow in losses], ['slip loss', 'wheel spin-up and other storage'])
+        self.assertAlmostEqual(sources[1][2], 30.0, places=9)
+        total = [sum(flow[2] for flow in flows) for flows in (sources, losses, sinks)]
+        self.assertAlmostEqual(total[0], total[1] + total[2], delta=1e-6 * total[0])  # the residual is 1e-9 of it
+        texts = ' '.join(text.get_text() for text in draw_energy_flow(run).axes[0].texts)
+        for words in ('at the rail', 'kinetic, change: ', 'slip loss: ', 'residual', f'{run.speed_kmph[-1]:.2f} km/h'):
+            self.assertIn(words, texts)
+        self.assertEqual(texts.count(' MJ'), len(sources) + len(losses) + len(sinks) + 1)
 
     def test_coupler_map_is_symmetric_and_keeps_peaks(self):
         write_bag(self.bag, duration_s=60.0)

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from train_viz import plot_style
 from train_viz.run import Run
 
-# What the traction gives, and where it goes: (field of TrainEnergy or of `_final_MJ`, words, colour)
+# What the traction gives, and where it goes: (field of TrainEnergy or of `final_MJ`, words, colour)
 SOURCES = (
     ('traction_rail', 'traction at the rail', '0.35'),
     ('slip_loss', 'slip loss', '0.60'),
@@ -39,7 +39,7 @@ def draw_energy_account(runs: List[Run]) -> Figure:
     return figure
 
 
-def _final_MJ(run: Run) -> dict:
+def final_MJ(run: Run) -> dict:
     final = {name: values[-1] / 1e6 for name, values in run.account.items()}
     final['rim_rest'] = final['traction_rim'] - final['traction_rail'] - final['slip_loss']
     return final
@@ -47,7 +47,7 @@ def _final_MJ(run: Run) -> dict:
 
 def _draw_bars(axes: Axes, runs: List[Run]) -> None:
     for i, run in enumerate(runs):
-        final = _final_MJ(run)
+        final = final_MJ(run)
         for terms, y in ((SOURCES, i - 0.19), (SINKS, i + 0.19)):
             _stack(axes, [(final[name], colour) for name, _, colour in terms], y)
     axes.set_yticks(range(len(runs)))
@@ -73,7 +73,7 @@ Row = Tuple[str, str, str]  # of the table: words, colour or '', value
 
 
 def _table_rows(run: Run) -> List[Row]:
-    final = _final_MJ(run)
+    final = final_MJ(run)
     rows = [('traction at the rim [MJ]', '', f'{final["traction_rim"]:.3f}')]
     rows += [(f'{words} [MJ]', colour, f'{final[name]:.3f}') for name, words, colour in SOURCES + SINKS]
     rows += [

@@ -1,0 +1,67 @@
+"""report.html of any runs: their figures, what they used, and the configuration that made them."""
+from typing import Dict, List
+
+from train_viz import page
+from train_viz.page import Section
+from train_viz.resolved_scenario import read_value
+from train_viz.run import Run
+
+TITLES = {  # by the beginning of a figure's name, in the order of the page
+    'energy_flow': 'where the energy of the whole train goes, from the motors to the sinks',
+    'energy_account': 'the same in bars and numbers',
+    'traction_force': 'traction at the rail of the leading locomotive over place',
+    'energy': 'energy of the leading locomotive over place and over speed',
+    'speed_notch': 'speed and notch over place',
+    'coupler_forces': 'in-train forces over time and coupler',
+    'friction_adhesion': 'friction that the rail offers, adhesion used',
+    'adhesion_creep': 'adhesion over creep, axle by axle',
+    'adhesion_control': 'creep, torque and where the controller acts',
+    'axle_loads': 'axle loads and slip losses',
+}
+SECTIONS = (
+    ('Energy', ('energy_flow', 'energy_account', 'energy')),
+    ('Motion and forces', ('traction_force', 'speed_notch', 'coupler_forces')),
+    ('Wheel and rail', ('friction_adhesion', 'adhesion_creep', 'adhesion_control', 'axle_loads')),
+)
+
+
+def run_page(runs: List[Run], pictures: Dict[str, str]) -> str:
+    """@param pictures PNG file by name of the figure"""
+    title = ', '.join(run.label for run in runs)
+    lead = [page.paragraph('The leading locomotive at the end of each run:'), _ends(runs)]
+    if len(runs) > 1:
+        lead.append(page.notice('Less energy at one place is not a saving where the train is slower: compare speed and '
+                                'time, too.'))
+    sections = []
+    for heading, kinds in SECTIONS:
+        pieces = [page.picture(pictures[name], f'{name}: {TITLES[kind]}', f'{name}: {TITLES[kind]}')
+                  for kind in kinds for name in pictures if kind_of(name) == kind]
+        if pieces:
+            sections.append(Section(heading, pieces))
+    sections.append(Section('Configuration and build', _configuration(runs)))
+    return page.make_page(title, lead, sections, 'Made by train_viz report.')
+
+
+def kind_of(name: str) -> str:
+    """The longest title's name that a figure's name begins with: energy_flow_RUN is no energy."""
+    return max((kind for kind in TITLES if name.startswith(kind)), key=len)
+
+
+def _ends(runs: List[Run]) -> str:
+    rows = [[run.label, f'{run.location_km[-1]:.3f}', f'{run.time_s[-1]:.2f}', f'{run.speed_kmph[-1]:.2f}',
+             *(f'{energy_J[-1, 0] / 1e6:.2f}' for energy_J in
+               (run.loco_energy_rail_J, run.loco_energy_slip_J, run.loco_energy_rim_J)),
+             f'{run.account["residual_relative"][-1]:+.1e}'] for run in runs]
+    return page.table(['run', 'place [km]', 'time [s]', 'speed [km/h]', 'at the rail, Eq. (4) [MJ]', 'slip loss [MJ]',
+                       'at the rim [MJ]', "account's residual / traction"], rows)
+
+
+def _configuration(runs: List[Run]) -> List[str]:
+    rows = [['scenario', *(run.scenario for run in runs)],
+            ['description', *(str(read_value(run.resolved, 'description') or '-') for run in runs)],
+            ['build', *(run.build_id or '-' for run in runs)],
+            ['run id', *(str(run.run_id) for run in runs)],
+            ['bags', *(', '.join(run.files) for run in runs)]]
+    pieces = [page.table(['', *(run.label for run in runs)], rows, range(len(runs) + 1)),
+              page.paragraph('The scenario with all files that it names, as one text that runs again on its own:')]
+    return pieces + [page.folded(run.label, run.resolved) for run in runs]
