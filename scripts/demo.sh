@@ -158,7 +158,8 @@ done
 
 echo "demo: results in $out"
 echo "  report.html  our values beside the paper's: open it in a browser"
-echo "  figures/     $(find "$out/figures" -type f | wc -l) files; Figs. 3, 6, 7, 8, 9 of the paper begin with fig"
+echo "  figures/     $(find "$out/figures" -type f | wc -l) files; Figs. 3, 6, 7, 8, 9 of the paper begin with fig;"
+echo "               figures/report.html shows every other figure on one page"
 echo "  summary.csv  energy and speeds of: ${models[*]}"
 for name in "${models[@]}"; do
   printf '  %-12s bag, outcome.yaml, summary.csv\n' "$name/"

@@ -133,7 +133,8 @@ class PaperComparisonTest(unittest.TestCase):
                 self.assertEqual(axes.get_ylabel(), 'traction at the rail [kN]')
                 self.assertEqual(axes.get_xlabel(), 'place of the leading locomotive [km]')
                 self.assertEqual(sorted(marks(axes).values()),
-                                 [[(3.15, 400.0), (3.45, 386.0)], [(3.15, 416.0), (3.45, 423.0)], [(3.15, 460.0), (3.45, 460.0)]])
+                                 [[(3.15, 400.0), (3.45, 386.0)], [(3.15, 416.0), (3.45, 423.0)],
+                                  [(3.15, 460.0), (3.45, 460.0)]])
             self.assertIn('paper, 3D: 416 kN at 3.15 km, 423 kN at 3.45 km', legend_texts(figure))
             near = figure.axes[1]
             self.assertEqual({'460', '400', '416', '386', '423'} - {text.get_text() for text in near.texts}, set())
