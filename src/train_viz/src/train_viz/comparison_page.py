@@ -128,6 +128,8 @@ def _energy_by_stage(c: Comparison) -> List[str]:
                            'more: it also covers the slip loss and the energy that spins up the wheels. A 1D '
                            'locomotive has no wheels, so both are the same.'),
             page.paragraph(_k0_words(c)),
+            *([page.paragraph('A 3D locomotive makes its curving resistance itself, in its contacts: Eq. (6) is not '
+                              'applied to it, as it is in 1D and 2D.')] if c.has_3d else []),
             page.notice('Less energy at one place is not a saving: the train with less energy is slower there, and '
                         'lacks kinetic energy. See the comparison at equal speed.')]
 

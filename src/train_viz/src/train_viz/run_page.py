@@ -33,8 +33,8 @@ def run_page(runs: List[Run], pictures: Dict[str, str]) -> str:
         lead.append(page.notice('Less energy at one place is not a saving where the train is slower: compare speed and '
                                 'time, too.'))
     if any(run.rim_differs() for run in runs):
-        lead.append(page.paragraph('Slip loss depends on the contact stiffness assumed (k0 in the configuration): a stiffer contact '
-                                   'carries the same force with less creep, and loses less.'))
+        lead.append(page.paragraph('Slip loss depends on the contact stiffness assumed (k0 in the configuration): a '
+                                   'stiffer contact carries the same force with less creep, and loses less.'))
     sections = []
     for heading, kinds in SECTIONS:
         pieces = [page.picture(pictures[name], f'{name}: {TITLES[kind]}', f'{name}: {TITLES[kind]}')
