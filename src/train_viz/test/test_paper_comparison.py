@@ -44,6 +44,11 @@ def marks(axes):
             if line.get_marker() == 'D'}
 
 
+def curves(axes):
+    """Lines that hold a run's rows."""
+    return [line for line in axes.get_lines() if len(line.get_xdata()) > 100]
+
+
 def cells_of(page):
     """Rows of all tables of a page as lists of texts."""
     return [[html.unescape(re.sub('<[^>]*>', '', cell)) for cell in re.findall(r'<t[hd][^>]*>(.*?)</t[hd]>', row)]
@@ -130,6 +135,10 @@ class PaperComparisonTest(unittest.TestCase):
         for comparison in (self.two, self.four):
             figure = figures.draw_fig6(comparison)
             for axes in figure.axes:
+                self.assertEqual(len(curves(axes)), len(comparison.runs))
+                for line, run in zip(curves(axes), comparison.runs):
+                    np.testing.assert_allclose(line.get_xdata(), run.location_m / 1e3, rtol=1e-12)
+                    np.testing.assert_allclose(line.get_ydata(), run.traction_N[:, 0] / 1e3, rtol=1e-12)
                 self.assertEqual(axes.get_ylabel(), 'traction at the rail [kN]')
                 self.assertEqual(axes.get_xlabel(), 'place of the leading locomotive [km]')
                 self.assertEqual(sorted(marks(axes).values()),
@@ -150,6 +159,9 @@ class PaperComparisonTest(unittest.TestCase):
     def test_fig8_has_percentages_against_3d_and_speed_and_time_beside_energy(self):
         figure = figures.draw_fig8(self.three)
         energy, difference = figure.axes
+        self.assertEqual(len(curves(energy)), 3)
+        for line, run in zip(curves(energy), self.three.runs):
+            np.testing.assert_allclose(line.get_ydata(), run.loco_energy_rail_J[:, 0] / 1e6, rtol=1e-12)
         self.assertIn('[MJ]', energy.get_ylabel())
         self.assertEqual(difference.get_ylabel(), 'difference against 3D [%]')
         got = marks(difference)
@@ -163,7 +175,7 @@ class PaperComparisonTest(unittest.TestCase):
             self.assertIn(f'{end.rail_J / 1e6:.1f} MJ at 4.5 km ({end.time_s:.1f} s, {3.6 * end.speed_mps:.2f} km/h)', words)
 
     def test_fig8_curve_of_difference_is_that_of_the_bags(self):
-        line = next(line for line in figures.draw_fig8(self.three).axes[1].get_lines() if len(line.get_xdata()) > 100)
+        line, _ = curves(figures.draw_fig8(self.three).axes[1])
         run, base = self.folders['1d'].run, self.folders['3d'].run
         at = len(line.get_xdata()) // 2
         place = 1e3 * line.get_xdata()[at]
@@ -203,6 +215,12 @@ class PaperComparisonTest(unittest.TestCase):
         figure = draw_equal_speed(self.three)
         lines, bars = figure.axes
         self.assertEqual(lines.get_lines()[0].get_xdata()[0], 3.6 * self.three.equal_speed_mps)
+        of_1d, rail, rim, *_ = curves(lines)
+        for line, folder, energy_J in ((of_1d, '1d', 'loco_energy_rail_J'), (rail, '2d', 'loco_energy_rail_J'),
+                                       (rim, '2d', 'loco_energy_rim_J')):
+            run = self.folders[folder].run
+            np.testing.assert_allclose(line.get_xdata(), 3.6 * run.speed_mps, rtol=1e-12)
+            np.testing.assert_allclose(line.get_ydata(), getattr(run, energy_J)[:, 0] / 1e6, rtol=1e-12)
         widths = [patch.get_width() for patch in bars.patches[:9]]
         expected = [value / 1e6 for folder in self.three.folders for s in [self.three.stages_at_equal_speed(folder)]
                     for value in (s.rail_J, s.slip_J, s.stored_J)]
