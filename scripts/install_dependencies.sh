@@ -10,7 +10,7 @@ packages=(
   catkin libroscpp-dev libroslib-dev librosbag-dev libtf2-ros-dev librostest-dev
   ros-message-generation ros-message-runtime libstd-msgs-dev ros-std-msgs
   libros-rosgraph-msgs-dev ros-rosgraph-msgs libdiagnostic-msgs-dev ros-diagnostic-msgs
-  python3-std-msgs python3-rosgraph-msgs python3-diagnostic-msgs
+  python3-std-msgs python3-tf2-msgs python3-geometry-msgs python3-rosgraph-msgs python3-diagnostic-msgs
   python3-roslaunch python3-rostest python3-rosbag python3-rosservice python3-rostopic
   python3-rosnode python3-rosmsg python3-rosparam rosbash
   # figures

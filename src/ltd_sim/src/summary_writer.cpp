@@ -73,6 +73,7 @@ void SummaryWriter::onEnd(const TrainState& state, const Outcome&) {
   runRow("account_traction_rail", "J", a.traction_rail);
   runRow("account_traction_rim", "J", a.traction_rim);
   runRow("account_slip_loss", "J", a.slip_loss);
+  runRow("account_inside_locomotives", "J", a.traction_rim - a.traction_rail - a.slip_loss);
   runRow("account_propulsion_resistance", "J", a.propulsion_resistance);
   runRow("account_curving_resistance", "J", a.curving_resistance);
   runRow("account_grade", "J", a.grade);

@@ -90,6 +90,7 @@ TEST_F(SummaryWriterTest, RunRowsHaveNeitherVehicleNorPlaceAndChangesSinceTheSta
       {"account_traction_rail", {"J", "1000"}},
       {"account_traction_rim", {"J", "1100"}},
       {"account_slip_loss", {"J", "90"}},
+      {"account_inside_locomotives", {"J", "10"}},
       {"account_propulsion_resistance", {"J", "80"}},
       {"account_curving_resistance", {"J", "70"}},
       {"account_grade", {"J", "65"}},
