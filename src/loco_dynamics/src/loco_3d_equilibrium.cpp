@@ -1,0 +1,138 @@
+// Where a 3D locomotive starts: quasi-static equilibrium on its place of the track.
+
+#include <algorithm>
+#include <cmath>
+
+#include "loco_dynamics/frame_forces.hpp"
+#include "loco_dynamics/loco_3d.hpp"
+#include "rail_core/constants.hpp"
+
+namespace loco {
+
+namespace {
+
+constexpr Eigen::Index kSize = BodyLayout::kBodies * kDofs;
+using Flat = Eigen::VectorXd;
+
+/// The unknowns: all positions; of a wheelset's pitch, which may be any, its speed instead.
+double& unknown(BodyState& state, std::size_t body, Eigen::Index dof) {
+  return dof == kPitch && body >= BodyLayout::wheelset(0) ? state.v[body][dof] : state.q[body][dof];
+}
+
+/// Unknowns and loads are made numbers of like size: mm, mrad, 10 mrad/s; kN, kN m.
+double unitOf(std::size_t body, Eigen::Index dof) {
+  return dof == kPitch && body >= BodyLayout::wheelset(0) ? 1e-2 : 1e-3;
+}
+
+}  // namespace
+
+BodyVector Loco3d::computeStaticLoads(const BodyState& state) const {
+  constexpr double kForEver_s = 1e12;  // yaw dampers have come to rest
+  TrackFrames frames = frames_;
+  frames.place(state.q);
+  frames.computeGaps(state.v);
+  BodyState copy = state;
+  BodyVector loads;
+  for (auto& load : loads) load.setZero();
+  dynamics_.addInnerForces(copy, kForEver_s, loads, {&frames.gaps(), parameters_.gravity_stiffness});
+  addFrameForces(dynamics_.layout(), frames, state.v, parameters_.structure.spin_momentum_inertia_kg_m2, loads);
+  WheelsetContact::Contacts contacts;
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
+    contact_.compute(motionOf(axle, state, frames), contacts);
+    for (std::size_t i = 0; i < contacts.count; ++i) {
+      const WheelsetContact::Contact& c = contacts.list[i];
+      loads[BodyLayout::wheelset(axle)] += c.J_n * c.normal_N + c.J_x * c.creep_N.x() + c.J_t * c.creep_N.y();
+    }
+  }
+  double sum_N = 0.0;
+  for (const auto& load : loads) sum_N += load[kX];
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i)  // all slow down together
+    loads[i][kX] -= sum_N * dynamics_.layout().bodies()[i].mass_kg / dynamics_.layout().totalMass();
+  return loads;
+}
+
+/// Lowers each wheelset until its wheels carry its share of the weight, by halving.
+void Loco3d::placeWheelsets(BodyState& state) const {
+  const double axle_N = dynamics_.layout().totalMass() * rail::kGravity_mps2 / BodyLayout::kAxles;
+  WheelsetContact::Contacts contacts;
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
+    double low_m = -2e-3, high_m = 2e-3;
+    for (int i = 0; i < 50; ++i) {
+      double& z_m = state.q[BodyLayout::wheelset(axle)][kZ] = 0.5 * (low_m + high_m);
+      contact_.compute(motionOf(axle, state, frames_), contacts);
+      double sum_N = 0.0;
+      for (std::size_t k = 0; k < contacts.count; ++k) sum_N += contacts.list[k].force_N().z();
+      (sum_N > axle_N ? low_m : high_m) = z_m;
+    }
+  }
+}
+
+/// Levenberg's and Marquardt's method: contacts open and close, so that Newton's alone need not arrive.
+void Loco3d::relax(BodyState& state) const {
+  const auto loadsAt = [&](const BodyState& at) {
+    const BodyVector loads = computeStaticLoads(at);
+    Flat flat(kSize);
+    for (std::size_t i = 0; i < loads.size(); ++i) flat.segment<kDofs>(static_cast<Eigen::Index>(i * kDofs)) = loads[i];
+    return Flat(flat * 1e-3);
+  };
+  Flat loads = loadsAt(state);
+  double damping = 1e-3;
+  for (int iteration = 0; iteration < 200 && loads.cwiseAbs().maxCoeff() > 1e-9; ++iteration) {
+    Eigen::MatrixXd jacobian(kSize, kSize);
+    for (Eigen::Index column = 0; column < kSize; ++column) {
+      constexpr double kStep = 1e-5;  // of the units
+      const auto body = static_cast<std::size_t>(column) / kDofs;
+      const Eigen::Index dof = column % static_cast<Eigen::Index>(kDofs);
+      BodyState moved = state;
+      unknown(moved, body, dof) += kStep * unitOf(body, dof);
+      jacobian.col(column) = (loadsAt(moved) - loads) / kStep;
+    }
+    const Eigen::MatrixXd square = jacobian.transpose() * jacobian;
+    bool better = false;
+    for (int attempt = 0; attempt < 12 && !better; ++attempt) {
+      Eigen::MatrixXd system = square;
+      system.diagonal().array() += damping * (1.0 + 1e-3 * square.diagonal().array());
+      const Flat step = system.ldlt().solve(-jacobian.transpose() * loads);
+      BodyState moved = state;
+      for (Eigen::Index row = 0; row < kSize; ++row) {
+        const auto body = static_cast<std::size_t>(row) / kDofs;
+        const Eigen::Index dof = row % static_cast<Eigen::Index>(kDofs);
+        unknown(moved, body, dof) += step[row] * unitOf(body, dof);
+      }
+      const Flat there = loadsAt(moved);
+      better = there.squaredNorm() < loads.squaredNorm();
+      damping *= better ? 0.1 : 10.0;
+      if (!better) continue;
+      state = moved;
+      loads = there;
+    }
+    if (!better) return;  // as near as it gets
+  }
+}
+
+std::vector<double> Loco3d::equilibriumState(double location_m, double speed_mps) const {
+  BodyState state;
+  dynamics_.unpack(std::vector<double>(dynamics_.stateSize(), 0.0).data(), state);
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
+    state.q[i][kX] = location_m;
+    state.v[i][kX] = speed_mps;
+    if (i >= BodyLayout::wheelset(0)) state.v[i][kPitch] = speed_mps / parameters_.structure.wheel_radius_m;
+  }
+  placeWheelsets(state);
+  relax(state);
+  std::vector<double> flat(dynamics_.stateSize());
+  BodyState at_rest = state;  // the yaw dampers have followed
+  TrackFrames frames = frames_;
+  frames.place(state.q);
+  frames.computeGaps(state.v);
+  BodyVector loads;
+  for (auto& load : loads) load.setZero();
+  dynamics_.addInnerForces(at_rest, 1e12, loads, {&frames.gaps(), parameters_.gravity_stiffness});
+  dynamics_.pack(at_rest, flat.data());
+  const std::vector<double> control = drive_.initialState();
+  flat.insert(flat.end(), control.begin(), control.end());
+  flat.insert(flat.end(), 2 * BodyLayout::kAxles, 0.0);
+  return flat;
+}
+
+}  // namespace loco
