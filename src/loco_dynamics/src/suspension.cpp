@@ -80,7 +80,8 @@ void addPair(const Element& e, const Eigen::Vector3d& F, const BodyVector& q, co
     F_on_A.z() = F.z() - F_y * g.roll_rad;
   }
   if (placement.at_displaced_points) {  // both forces in one line, half-way between the displaced ends
-    const Eigen::Vector3d half = 0.5 * deflection(e, q, placement);
+    Eigen::Vector3d half = 0.5 * deflection(e, q, placement);
+    half.z() = 0.0;  // nominal heights are those under load
     const Vector6 a = spins(e) ? withoutSpin(q[e.body_A]) : q[e.body_A];
     r_A += a.tail<3>().cross(e.r_A) - half;
     r_B += q[e.body_B].template tail<3>().cross(e.r_B) + half;
