@@ -35,9 +35,7 @@ Loco3d::Loco3d(const Parameters& parameters)
       frames_(dynamics_.layout(), parameters_.track.get()),
       next_frames_(frames_) {}
 
-std::size_t Loco3d::stateSize() const {
-  return dynamics_.stateSize() + drive_.stateSize() + 2 * BodyLayout::kAxles;
-}
+std::size_t Loco3d::stateSize() const { return dynamics_.stateSize() + drive_.stateSize() + 2 * BodyLayout::kAxles; }
 
 void Loco3d::step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) {
   assert(state.size() == stateSize());
@@ -100,7 +98,7 @@ void Loco3d::addOuterForces(const LocoForce& force, const TrackFrames& frames, c
   for (const double side : {1.0, -1.0}) {  // front, rear
     const double F = side > 0.0 ? force.coupler_front_N : force.coupler_rear_N;
     Vector3d r(side * s.coupler_x_m, 0.0, z);
-    if (parameters_.gravity_stiffness) r += q[BodyLayout::kCar].tail<3>().cross(r);
+    if (parameters_.gravity_stiffness) r.head<2>() += q[BodyLayout::kCar].tail<3>().cross(r).head<2>();
     addForce(car, {F, F * frames.headingFromCar(side * s.coupler_x_m), 0.0}, r);  // along the tangent at the coupler
   }
   car[kX] += force.propulsion_resistance_N + force.curving_resistance_N;
@@ -150,8 +148,7 @@ void Loco3d::book(const BodyVector& v_old, double h, LocoTraction& answer) {
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     const WheelsetContact::Contacts& contacts = contacts_[axle];
     for (std::size_t i = 0; i < contacts.count; ++i) answer.traction_N += contacts.list[i].creep_N.x();
-    const WheelsetContact::Work work =
-        WheelsetContact::computeWork(contacts, v_mean[BodyLayout::wheelset(axle)], h);
+    const WheelsetContact::Work work = WheelsetContact::computeWork(contacts, v_mean[BodyLayout::wheelset(axle)], h);
     answer.work_slip_J += work.slip;
     account_.slip += work.slip;
     account_.contact_damping += work.damping;

@@ -80,11 +80,11 @@ void addPair(const Element& e, const Eigen::Vector3d& F, const BodyVector& q, co
     F_on_A.z() = F.z() - F_y * g.roll_rad;
   }
   if (placement.at_displaced_points) {  // both forces in one line, half-way between the displaced ends
-    Eigen::Vector3d half = 0.5 * deflection(e, q, placement);
-    half.z() = 0.0;  // nominal heights are those under load
+    const Eigen::Vector3d d = deflection(e, q, placement);
+    const Eigen::Vector2d on_A(spins(e) ? 0.0 : 0.5 * d.x(), 0.5 * d.y());  // an axlebox's stay above its axle
     const Vector6 a = spins(e) ? withoutSpin(q[e.body_A]) : q[e.body_A];
-    r_A += a.tail<3>().cross(e.r_A) - half;
-    r_B += q[e.body_B].template tail<3>().cross(e.r_B) + half;
+    r_A.head<2>() += a.tail<3>().cross(e.r_A).template head<2>() - on_A;
+    r_B.head<2>() += q[e.body_B].template tail<3>().cross(e.r_B).template head<2>() + d.head<2>() - on_A;
   }
   addAt(loads[e.body_A], F_on_A, r_A, spins(e));
   addAt(loads[e.body_B], F_on_B, r_B, false);

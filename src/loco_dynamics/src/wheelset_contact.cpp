@@ -18,7 +18,8 @@ Vector6 row(const Vector3d& d, const Vector3d& r, const Vector3d& axle) {
 }
 
 void placeContact(const WheelsetMotion& motion, double wheel_radius_m, WheelsetContact::Contact& c) {
-  const double y = motion.q[kY], z = motion.q[kZ], sin = std::sin(c.region.angle_rad), cos = std::cos(c.region.angle_rad);
+  const double y = motion.q[kY], z = motion.q[kZ], sin = std::sin(c.region.angle_rad),
+               cos = std::cos(c.region.angle_rad);
   const Vector3d r = c.region.p_T - Vector3d(0.0, y, wheel_radius_m + z);
   const Vector3d axle(-motion.q[kYaw], 1.0, motion.q[kRoll]);
   c.J_n = row({0.0, -sin, cos}, r, axle);
@@ -27,6 +28,20 @@ void placeContact(const WheelsetMotion& motion, double wheel_radius_m, WheelsetC
   c.J_t = row({0.0, cos, sin}, r, axle);
   const double turning = motion.v[kX] * motion.curvature_1pm;
   c.frame_mps = {-turning * c.region.p_T.y(), turning * r.x() * cos};
+}
+
+/// Rows of J along the slip and across it.
+Vector6 alongSlip(const WheelsetContact::Contact& c) { return c.along.x() * c.J_x + c.along.y() * c.J_t; }
+Vector6 acrossSlip(const WheelsetContact::Contact& c) { return c.along.x() * c.J_t - c.along.y() * c.J_x; }
+
+/// Slope of the closed form (C10) over that at no creep; 0 at full slip.
+/// @param x  force over mu N if the law went on straight
+double relativeSlope(double x) {
+  constexpr double kPi = 3.14159265358979323846;
+  const double H = 3.0 * kPi / 16.0 * x;
+  if (H >= 2.0) return 0.0;
+  const double c0 = 0.5 * H, s0 = std::sqrt((1.0 - c0) * (1.0 + c0)), t0 = std::acos(c0);
+  return 0.75 * (2.0 * s0 * (1.0 - s0 * s0 / 3.0) - H * (t0 + s0 * c0) + 0.5 * H * H * s0);
 }
 
 }  // namespace
@@ -89,7 +104,7 @@ void WheelsetContact::computeCreep(const WheelsetMotion& motion, const CreepLaw&
   const Vector6& v = motion.v;
   c.slip_mps = Eigen::Vector2d(c.J_x.dot(v), c.J_t.dot(v)) + c.frame_mps;
   c.creep_N.setZero();
-  c.secant_N_s_per_m.setZero();
+  c.slope_N_s_per_m.setZero();
   c.friction = 0.0;
   const double sin = std::sin(c.region.angle_rad), cos = std::cos(c.region.angle_rad);
   const double turning = v[kYaw] + v[kX] * motion.curvature_1pm;
@@ -108,8 +123,14 @@ void WheelsetContact::computeCreep(const WheelsetMotion& motion, const CreepLaw&
   c.creep_N = way * c.region.share * Eigen::Vector2d(force.x_N, force.y_N);
   const double V = std::max(std::abs(v[kX]), kCreepageSpeedFloor_mps);
   const double straight = c.region.share * force.reduction * parameters_.shear_modulus_Pa * c.a_m * c.b_m / V;
-  const double slide = c.friction * c.normal_N / std::max(c.creepage.slip_speed_mps, 1e-12);
-  c.secant_N_s_per_m = {std::min(straight * hertz.kalker.c11, slide), std::min(straight * hertz.kalker.c22, slide)};
+  const double slip = c.creepage.slip_speed_mps;
+  c.along = slip > 0.0 ? Eigen::Vector2d(c.slip_mps / slip) : Eigen::Vector2d(1.0, 0.0);
+  const double xx = c.along.x() * c.along.x(), yy = c.along.y() * c.along.y();
+  const double along = straight * (xx * hertz.kalker.c11 + yy * hertz.kalker.c22);
+  const double across = straight * (yy * hertz.kalker.c11 + xx * hertz.kalker.c22);
+  const double full_slip_N = c.friction * c.normal_N;
+  c.slope_N_s_per_m = {along * relativeSlope(along * slip / full_slip_N),
+                       slip > 0.0 ? std::min(across, full_slip_N / slip) : across};
 }
 
 void WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& contacts, Vector6& load) {
@@ -118,15 +139,16 @@ void WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& cont
   system.diagonal() = inertia / h;
   for (std::size_t i = 0; i < contacts.count; ++i) {
     const Contact& c = contacts.list[i];
-    system.selfadjointView<Eigen::Lower>().rankUpdate(c.J_x, c.secant_N_s_per_m.x());
-    system.selfadjointView<Eigen::Lower>().rankUpdate(c.J_t, c.secant_N_s_per_m.y());
+    system.selfadjointView<Eigen::Lower>().rankUpdate(alongSlip(c), c.slope_N_s_per_m.x());
+    system.selfadjointView<Eigen::Lower>().rankUpdate(acrossSlip(c), c.slope_N_s_per_m.y());
     load += c.J_n * c.normal_N + c.J_x * c.creep_N.x() + c.J_t * c.creep_N.y();  // (W4)
   }
   const Vector6 change = system.selfadjointView<Eigen::Lower>().llt().solve(load);  // v_n+1 - v_n
   for (std::size_t i = 0; i < contacts.count; ++i) {
     Contact& c = contacts.list[i];
-    const Eigen::Vector2d implicit =
-        -c.secant_N_s_per_m.cwiseProduct(Eigen::Vector2d(c.J_x.dot(change), c.J_t.dot(change)));  // (W5)
+    const double along_N = -c.slope_N_s_per_m.x() * alongSlip(c).dot(change);  // (W5)
+    const double across_N = -c.slope_N_s_per_m.y() * acrossSlip(c).dot(change);
+    const Eigen::Vector2d implicit = along_N * c.along + across_N * Eigen::Vector2d(-c.along.y(), c.along.x());
     c.creep_N += implicit;
     load += c.J_x * implicit.x() + c.J_t * implicit.y();
   }

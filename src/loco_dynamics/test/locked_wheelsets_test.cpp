@@ -11,11 +11,11 @@
 
 namespace {
 
+using Eigen::Index;
 using loco::BodyDynamics;
 using loco::BodyLayout;
 using loco::BodyState;
 using loco::BodyVector;
-using Eigen::Index;
 
 constexpr Index kFree = 3 * 6;  // car body and two bogie frames
 
@@ -135,17 +135,65 @@ std::vector<Mode> oscillations(const Eigen::VectorXcd& values) {
   return modes;
 }
 
-TEST(LockedWheelsetsTest, Explore) {
-  for (const bool g : {false, true}) {
-    Locked locked(g);
-    for (const Mode& m : oscillations(locked.eigenvalues())) std::printf("%.4f %.4f\n", m.frequency_Hz, m.damping);
-    std::printf("\n");
+void expectMode(const std::vector<Mode>& modes, double frequency_Hz, double damping) {
+  // half a unit of the last digit that the independent model gives
+  const double digit_Hz = frequency_Hz < 20.0 ? 5.1e-4 : 5.1e-3;
+  const bool found = std::any_of(modes.begin(), modes.end(), [&](const Mode& m) {
+    return std::abs(m.frequency_Hz - frequency_Hz) < digit_Hz && std::abs(m.damping - damping) < 5.1e-4;
+  });
+  EXPECT_TRUE(found) << frequency_Hz << " Hz, damping " << damping;
+}
+
+/// From an independent prototype: sway, car yaw, bogie lateral, bogie yaw, bogie roll.
+TEST(LockedWheelsetsTest, LateralModesAreThoseOfAnIndependentModel) {
+  const std::vector<Mode> modes = oscillations(Locked(false).eigenvalues());
+  expectMode(modes, 0.662, 0.115);
+  expectMode(modes, 0.921, 0.150);
+  expectMode(modes, 1.577, 0.269);
+  expectMode(modes, 5.836, 0.176);
+  expectMode(modes, 5.857, 0.178);
+  expectMode(modes, 15.592, 0.082);
+  expectMode(modes, 15.594, 0.081);
+  expectMode(modes, 26.67, 0.220);
+  expectMode(modes, 27.20, 0.204);
+}
+
+TEST(LockedWheelsetsTest, GravitysStiffnessSlowsTheLowerSwayAndHastensTheUpper) {
+  const std::vector<Mode> modes = oscillations(Locked(true).eigenvalues());
+  expectMode(modes, 0.615, 0.126);
+  expectMode(modes, 1.592, 0.265);
+}
+
+TEST(LockedWheelsetsTest, InR300TheCarIsAChordAndTheBogiesTurnOverTheirOuterAxles) {
+  for (const double side : {1.0, -1.0}) {  // to the left, to the right
+    Locked curve(false, fixtures::makeTrack(side > 0.0 ? "left" : "right"), 3450.0);
+    EXPECT_NEAR(side * curve.state.q[0][loco::kY], 77.43e-3, 5e-6);
+    for (const std::size_t bogie : {1u, 2u}) {
+      EXPECT_NEAR(side * curve.state.q[bogie][loco::kY], 3.803e-3, 5e-7);
+      EXPECT_NEAR(side * curve.state.q[bogie][loco::kYaw], bogie == 1 ? -0.1966e-3 : 0.1966e-3, 2e-7);
+    }
+    const double expected_N[3] = {-10.19e3, 17.11e3, -6.92e3};
+    const BodyVector loads = curve.loadsAt(curve.state, 1e12);
+    for (std::size_t axle = 0; axle < 3; ++axle)
+      EXPECT_NEAR(side * loads[BodyLayout::wheelset(axle)][loco::kY], expected_N[axle], 6.0) << axle;
   }
-  Locked curve(false, fixtures::makeTrack(), 3450.0);
+}
+
+TEST(LockedWheelsetsTest, TheSprungCarTurnsABogieBackWithThreeMeganewtonMetresPerRadian) {
+  Locked locked(false);
+  BodyState turned = locked.state;
+  turned.q[1][loco::kYaw] += 1e-3;
+  turned.damper_x_m.assign(turned.damper_x_m.size(), 0.0);
+  const double moment_N_m = locked.loadsAt(turned, 1e12)[0][loco::kYaw];
+  EXPECT_NEAR(moment_N_m, 3.083e6 * 1e-3, 0.5);
+}
+
+TEST(LockedWheelsetsTest, InAStandingCantEveryBodyLeansWithItsTrack) {
+  // where cant is constant, frames have no gaps: only gravity's lateral part acts, which is not among inner forces
+  Locked canted(true, fixtures::makeTrack("left", 100.0), 3450.0);
+  Locked level(true, fixtures::makeTrack("left", 0.0), 3450.0);
   for (std::size_t i = 0; i < 3; ++i)
-    std::printf("%s\n", (std::ostringstream() << (curve.state.q[i]*1e3).transpose()).str().c_str());
-  const BodyVector loads = curve.loadsAt(curve.state, 1e12);
-  for (std::size_t i = 3; i < 9; ++i) std::printf("%s\n", (std::ostringstream() << loads[i].transpose()).str().c_str());
+    EXPECT_NEAR((canted.state.q[i] - level.state.q[i]).cwiseAbs().maxCoeff(), 0.0, 1e-12) << i;
 }
 
 }  // namespace

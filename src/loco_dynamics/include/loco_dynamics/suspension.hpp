@@ -63,8 +63,10 @@ inline std::size_t gapIndex(std::size_t body_A, std::size_t body_B) {
 
 /// How a suspension stands in its track.
 struct Placement {
-  const FrameGaps* gaps = nullptr;   ///< null: straight track
-  bool at_displaced_points = false;  ///< forces act where the displaced points are: gravity's stiffness
+  const FrameGaps* gaps = nullptr;  ///< null: straight track
+  /// Forces act half-way between the displaced ends, seen from above; heights stay nominal, which is under load:
+  /// gravity's stiffness.
+  bool at_displaced_points = false;
 };
 
 /// Scratch memory of one suspension, allocated once: what the second half of a step needs of the first. Forces on A,

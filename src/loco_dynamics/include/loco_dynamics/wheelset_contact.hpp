@@ -31,9 +31,9 @@ struct WheelsetMotion {
 ///   N_i = max(0, s_i K_i delta_i^1.5 - c (N_i/sum N) J_n v), c shared in proportion to the elastic forces  (W2)
 ///   creepages: slip over max(|v|, 0.5 m/s); spin = (J_roll - omega psi, omega, psi' + v kappa + omega phi) n  (W3)
 ///   generalised forces on the wheelset: J_d transposed times the force along d                         (W4)
-/// The creep forces are linearly implicit in all six velocities of the wheelset: F = F_0 - S J (v_n+1 - v_n) with
-/// S = min(k G a b C/V, mu N/slip), the secant of a law that rises straight and then slides; where S is not the law's
-/// own slope the difference is of the order of the step.                                                     (W5)
+/// The creep forces are linearly implicit in all six velocities of the wheelset: F = F_0 - S J (v_n+1 - v_n), S along
+/// the slip the slope of the closed form, across it min(k G a b C/V, mu N/slip); where S is not the law's own slope
+/// (spin, falling friction) the difference is of the order of the step.                                    (W5)
 /// Not modelled: moment of spin about the contact's normal, speeds from a cant's run-off in the creepages, elasticity
 /// of the rail.
 class WheelsetContact {
@@ -59,12 +59,13 @@ class WheelsetContact {
     double stored_J = 0.0;
     Creepage creepage;
     double friction = 0.0;
-    Eigen::Vector2d slip_mps = Eigen::Vector2d::Zero();   ///< along x, t
-    Eigen::Vector2d frame_mps = Eigen::Vector2d::Zero();  ///< what of it comes from the frame's turning
-    Eigen::Vector2d creep_N = Eigen::Vector2d::Zero();    ///< along x, t
-    Eigen::Vector2d secant_N_s_per_m = Eigen::Vector2d::Zero();
+    Eigen::Vector2d slip_mps = Eigen::Vector2d::Zero();         ///< along x, t
+    Eigen::Vector2d frame_mps = Eigen::Vector2d::Zero();        ///< what of it comes from the frame's turning
+    Eigen::Vector2d creep_N = Eigen::Vector2d::Zero();          ///< along x, t
+    Eigen::Vector2d along = Eigen::Vector2d::UnitX();           ///< unit vector of the slip
+    Eigen::Vector2d slope_N_s_per_m = Eigen::Vector2d::Zero();  ///< of the force over slip, along and across the slip
     Vector6 J_n = Vector6::Zero(), J_x = Vector6::Zero(), J_t = Vector6::Zero();  ///< (W1)
-    Eigen::Vector3d force_N() const;  ///< in T
+    Eigen::Vector3d force_N() const;                                              ///< in T
   };
   struct Contacts {
     std::array<Contact, 2 * kMostContacts> list;
