@@ -24,18 +24,34 @@ double unitOf(std::size_t body, Eigen::Index dof) {
   return dof == kPitch && body >= BodyLayout::wheelset(0) ? 1e-2 : 1e-3;
 }
 
+constexpr double kForEver_s = 1e12;  ///< a step after which a yaw damper has no force
+
+/// Takes from the forces along the track what slows all bodies down together.
+void shareDeceleration(const BodyLayout& layout, BodyVector& loads) {
+  double sum_N = 0.0;
+  for (const auto& load : loads) sum_N += load[kX];
+  for (std::size_t i = 0; i < loads.size(); ++i)
+    loads[i][kX] -= sum_N * layout.bodies()[i].mass_kg / layout.totalMass();
+}
+
 }  // namespace
 
-BodyVector Loco3d::computeStaticLoads(const BodyState& state) const {
-  constexpr double kForEver_s = 1e12;  // yaw dampers have come to rest
-  TrackFrames frames = frames_;
-  frames.place(state.q);
-  frames.computeGaps(state.v);
+/// Everything but the contacts; the yaw dampers have come to rest.
+BodyVector Loco3d::computeSteadyLoads(const BodyState& state, const TrackFrames& frames) const {
   BodyState copy = state;
   BodyVector loads;
   for (auto& load : loads) load.setZero();
   dynamics_.addInnerForces(copy, kForEver_s, loads, {&frames.gaps(), parameters_.gravity_stiffness});
   addFrameForces(dynamics_.layout(), frames, state.v, parameters_.structure.spin_momentum_inertia_kg_m2, loads);
+  return loads;
+}
+
+BodyVector Loco3d::computeStaticLoads(const BodyState& state) const { return computeStaticLoads(state, frames_); }
+
+BodyVector Loco3d::computeStaticLoads(const BodyState& state, TrackFrames frames) const {
+  frames.place(state.q);
+  frames.computeGaps(state.v);
+  BodyVector loads = computeSteadyLoads(state, frames);
   WheelsetContact::Contacts contacts;
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     contact_.compute(motionOf(axle, state, frames), contacts);
@@ -44,11 +60,60 @@ BodyVector Loco3d::computeStaticLoads(const BodyState& state) const {
       loads[BodyLayout::wheelset(axle)] += c.J_n * c.normal_N + c.J_x * c.creep_N.x() + c.J_t * c.creep_N.y();
     }
   }
-  double sum_N = 0.0;
-  for (const auto& load : loads) sum_N += load[kX];
-  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i)  // all slow down together
-    loads[i][kX] -= sum_N * dynamics_.layout().bodies()[i].mass_kg / dynamics_.layout().totalMass();
+  shareDeceleration(dynamics_.layout(), loads);
   return loads;
+}
+
+/// Moves bogies and car sideways to where the track has the bodies that carry them.
+void Loco3d::followTrack(BodyState& state) const {
+  TrackFrames frames = frames_;
+  frames.place(state.q);
+  frames.computeGaps(state.v);
+  const auto& bodies = dynamics_.layout().bodies();
+  double car_m = 0.0;
+  for (std::size_t i = 0; i < BodyLayout::kBogies; ++i) {
+    const std::size_t bogie = BodyLayout::bogie(i);
+    double mean_m = 0.0;
+    for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle)
+      if (BodyLayout::bogieOfAxle(axle) == bogie)
+        mean_m += frames.gaps()[gapIndex(BodyLayout::wheelset(axle), bogie)].at.lateral_m / BodyLayout::kAxlesPerBogie;
+    state.q[bogie][kY] += mean_m;
+    const FrameGap::Parts& gap = frames.gaps()[gapIndex(BodyLayout::kCar, bogie)].at;
+    car_m += (mean_m - gap.lateral_m - gap.heading_rad * bodies[bogie].p_T.x()) / BodyLayout::kBogies;
+  }
+  state.q[BodyLayout::kCar][kY] += car_m;
+}
+
+/// Lets the bodies move on the spot, over track that stays as it is there, until its damping has brought them near the
+/// equilibrium that running would bring them to: there may be others, with a wheel up on its flange.
+void Loco3d::settle(BodyState& state, double speed_mps) const {
+  constexpr double kSettling_s = 4.0, kStep_s = 5e-4;  // chosen: the slowest sway falls to a sixth
+  WheelsetContact::Contacts contacts;
+  Vector6 inertia;
+  for (int i = 0; i < static_cast<int>(kSettling_s / kStep_s); ++i) {
+    TrackFrames frames = frames_;
+    frames.place(state.q);
+    frames.computeGaps(state.v);
+    BodyVector loads = computeSteadyLoads(state, frames);
+    for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
+      const std::size_t body = BodyLayout::wheelset(axle);
+      for (std::size_t k = 0; k < kDofs; ++k)
+        inertia[static_cast<Eigen::Index>(k)] = dynamics_.layout().inertia(body, static_cast<Dof>(k));
+      contact_.compute(motionOf(axle, state, frames), contacts);
+      WheelsetContact::addForces(inertia, kStep_s, contacts, loads[body]);
+    }
+    shareDeceleration(dynamics_.layout(), loads);
+    if (!dynamics_.step(loads, kStep_s, state).empty()) return;
+    for (auto& q : state.q) q[kX] -= kStep_s * speed_mps;
+  }
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
+    const double omega = state.v[i][kPitch];
+    state.v[i].setZero();
+    state.v[i][kX] = speed_mps;
+    if (i < BodyLayout::wheelset(0)) continue;
+    state.v[i][kPitch] = omega;
+    state.q[i][kPitch] = 0.0;
+  }
 }
 
 /// Lowers each wheelset until its wheels carry its share of the weight, by halving.
@@ -68,9 +133,9 @@ void Loco3d::placeWheelsets(BodyState& state) const {
 }
 
 /// Levenberg's and Marquardt's method: contacts open and close, so that Newton's alone need not arrive.
-void Loco3d::relax(BodyState& state) const {
+void Loco3d::relax(const TrackFrames& frames, BodyState& state) const {
   const auto loadsAt = [&](const BodyState& at) {
-    const BodyVector loads = computeStaticLoads(at);
+    const BodyVector loads = computeStaticLoads(at, frames);
     Flat flat(kSize);
     for (std::size_t i = 0; i < loads.size(); ++i) flat.segment<kDofs>(static_cast<Eigen::Index>(i * kDofs)) = loads[i];
     return Flat(flat * 1e-3);
@@ -110,6 +175,14 @@ void Loco3d::relax(BodyState& state) const {
   }
 }
 
+bool Loco3d::onStraightTrack(const BodyState& state) const {
+  TrackFrames frames = frames_;
+  frames.place(state.q);
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i)
+    if (frames[i].curvature_1pm != 0.0 || frames[i].roll_rad != 0.0) return false;
+  return true;
+}
+
 std::vector<double> Loco3d::equilibriumState(double location_m, double speed_mps) const {
   BodyState state;
   dynamics_.unpack(std::vector<double>(dynamics_.stateSize(), 0.0).data(), state);
@@ -119,7 +192,12 @@ std::vector<double> Loco3d::equilibriumState(double location_m, double speed_mps
     if (i >= BodyLayout::wheelset(0)) state.v[i][kPitch] = speed_mps / parameters_.structure.wheel_radius_m;
   }
   placeWheelsets(state);
-  relax(state);
+  relax(TrackFrames(dynamics_.layout(), nullptr), state);
+  if (!onStraightTrack(state)) {
+    followTrack(state);
+    settle(state, speed_mps);
+    relax(frames_, state);
+  }
   std::vector<double> flat(dynamics_.stateSize());
   BodyState at_rest = state;  // the yaw dampers have followed
   TrackFrames frames = frames_;
@@ -127,7 +205,7 @@ std::vector<double> Loco3d::equilibriumState(double location_m, double speed_mps
   frames.computeGaps(state.v);
   BodyVector loads;
   for (auto& load : loads) load.setZero();
-  dynamics_.addInnerForces(at_rest, 1e12, loads, {&frames.gaps(), parameters_.gravity_stiffness});
+  dynamics_.addInnerForces(at_rest, kForEver_s, loads, {&frames.gaps(), parameters_.gravity_stiffness});
   dynamics_.pack(at_rest, flat.data());
   const std::vector<double> control = drive_.initialState();
   flat.insert(flat.end(), control.begin(), control.end());

@@ -45,6 +45,10 @@ void addContact(const WheelsetContact::Contact& c, AxleAdhesion& to) {
 
 }  // namespace
 
+std::vector<BodyPose> Loco3d::computePoses(const std::vector<double>& state) const {
+  return dynamics_.computePoses(state.data());
+}
+
 void Loco3d::report(AdhesionReport& out) const {
   out.axles.resize(BodyLayout::kAxles);
   out.contacts.clear();

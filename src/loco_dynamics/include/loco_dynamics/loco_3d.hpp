@@ -16,8 +16,8 @@
 namespace loco {
 
 /// The 3D locomotive of Wu et al. 2020, Sect. 3.4: nine bodies with all six motions (54 degrees of freedom) on curved,
-/// canted track, up to three contacts a wheel. Bodies, suspension, drive as in the 2D locomotive. The curving resistance
-/// is made in the contacts: LocoForce::curving_resistance_N must be 0. docs/loco_3d.md has the equations.
+/// canted track, up to three contacts a wheel. Bodies, suspension, drive as in the 2D locomotive. The curving
+/// resistance is made in the contacts: LocoForce::curving_resistance_N must be 0. docs/loco_3d.md has the equations.
 ///
 /// State: positions and velocities of the bodies, the yaw dampers' own displacements, the drive's state, how long each
 /// wheel (left, right, from the front) has been in the air.
@@ -41,6 +41,7 @@ class Loco3d : public Locomotive {
   /// In quasi-static equilibrium at this place, straight or curved, running freely.
   std::vector<double> equilibriumState(double location_m, double speed_mps) const override;
   void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
+  std::vector<BodyPose> computePoses(const std::vector<double>& state) const override;
 
   /// Energies of the last macro step [J], for the locomotive's account:
   ///   motors + outer + frames = d(kinetic) + d(stored) + dampers + slip + contact_damping + residual
@@ -78,8 +79,13 @@ class Loco3d : public Locomotive {
   void report(AdhesionReport& out) const;
   WheelsetMotion motionOf(std::size_t axle, const BodyState& state, const TrackFrames& frames) const;
   Placement placement() const { return {&frames_.gaps(), parameters_.gravity_stiffness}; }
+  BodyVector computeSteadyLoads(const BodyState& state, const TrackFrames& frames) const;
+  bool onStraightTrack(const BodyState& state) const;
   void placeWheelsets(BodyState& state) const;
-  void relax(BodyState& state) const;
+  void settle(BodyState& state, double speed_mps) const;
+  void followTrack(BodyState& state) const;
+  BodyVector computeStaticLoads(const BodyState& state, TrackFrames frames) const;
+  void relax(const TrackFrames& frames, BodyState& state) const;
 
   Parameters parameters_;
   mutable BodyDynamics dynamics_;
