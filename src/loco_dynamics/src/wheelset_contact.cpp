@@ -46,16 +46,6 @@ double relativeSlope(double x) {
 
 }  // namespace
 
-WheelsetContact::Parameters WheelsetContact::read(rail::YamlReader& reader, double wheel_radius_m) {
-  Parameters p;
-  p.wheel_radius_m = wheel_radius_m;
-  p.normal_damping_N_s_per_m = reader.number("normal_damping_N_s_per_m", rail::notNegative());
-  p.elasticity.young_Pa = reader.number("young_modulus_Pa", rail::positive());
-  p.elasticity.poisson = reader.number("poisson_ratio", rail::between(0.0, 0.5));
-  p.shear_modulus_Pa = reader.number("shear_modulus_Pa", rail::positive());
-  return p;
-}
-
 Vector3d WheelsetContact::Contact::force_N() const {
   const double sin = std::sin(region.angle_rad), cos = std::cos(region.angle_rad);
   return {creep_N.x(), cos * creep_N.y() - sin * normal_N, sin * creep_N.y() + cos * normal_N};

@@ -5,9 +5,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "loco_3d_fixtures.hpp"
 #include "loco_dynamics/frame_forces.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -135,47 +137,59 @@ std::vector<Mode> oscillations(const Eigen::VectorXcd& values) {
   return modes;
 }
 
-void expectMode(const std::vector<Mode>& modes, double frequency_Hz, double damping) {
-  // half a unit of the last digit that the independent model gives
-  const double digit_Hz = frequency_Hz < 20.0 ? 5.1e-4 : 5.1e-3;
-  const bool found = std::any_of(modes.begin(), modes.end(), [&](const Mode& m) {
-    return std::abs(m.frequency_Hz - frequency_Hz) < digit_Hz && std::abs(m.damping - damping) < 5.1e-4;
-  });
-  EXPECT_TRUE(found) << frequency_Hz << " Hz, damping " << damping;
+void expectMode(const std::vector<Mode>& modes, const std::string& name, double frequency_Hz, double damping) {
+  const double digit_Hz = frequency_Hz < 20.0 ? 1e-3 : 1e-2;
+  const auto distance = [&](const Mode& m) {
+    return std::abs(m.frequency_Hz - frequency_Hz) / digit_Hz + std::abs(m.damping - damping) / 1e-3;
+  };
+  const Mode& m = *std::min_element(modes.begin(), modes.end(),
+                                    [&](const Mode& x, const Mode& y) { return distance(x) < distance(y); });
+  rail::verify({"9", "wheelsets locked: " + name + ", frequency", "independent model", "Hz", frequency_Hz,
+                m.frequency_Hz, 0.51 * digit_Hz, "half of the last digit given"});
+  rail::verify({"9", "wheelsets locked: " + name + ", damping ratio", "independent model", "1", damping, m.damping,
+                0.51e-3, "half of the last digit given"});
 }
 
 /// From an independent prototype: sway, car yaw, bogie lateral, bogie yaw, bogie roll.
 TEST(LockedWheelsetsTest, LateralModesAreThoseOfAnIndependentModel) {
   const std::vector<Mode> modes = oscillations(Locked(false).eigenvalues());
-  expectMode(modes, 0.662, 0.115);
-  expectMode(modes, 0.921, 0.150);
-  expectMode(modes, 1.577, 0.269);
-  expectMode(modes, 5.836, 0.176);
-  expectMode(modes, 5.857, 0.178);
-  expectMode(modes, 15.592, 0.082);
-  expectMode(modes, 15.594, 0.081);
-  expectMode(modes, 26.67, 0.220);
-  expectMode(modes, 27.20, 0.204);
+  expectMode(modes, "lower sway", 0.662, 0.115);
+  expectMode(modes, "car yaw", 0.921, 0.150);
+  expectMode(modes, "upper sway", 1.577, 0.269);
+  expectMode(modes, "bogies lateral, in phase", 5.836, 0.176);
+  expectMode(modes, "bogies lateral, in antiphase", 5.857, 0.178);
+  expectMode(modes, "bogies yaw, in phase", 15.592, 0.082);
+  expectMode(modes, "bogies yaw, in antiphase", 15.594, 0.081);
+  expectMode(modes, "bogies roll, first", 26.67, 0.220);
+  expectMode(modes, "bogies roll, second", 27.20, 0.204);
 }
 
 TEST(LockedWheelsetsTest, GravitysStiffnessSlowsTheLowerSwayAndHastensTheUpper) {
   const std::vector<Mode> modes = oscillations(Locked(true).eigenvalues());
-  expectMode(modes, 0.615, 0.126);
-  expectMode(modes, 1.592, 0.265);
+  expectMode(modes, "lower sway with gravity's stiffness", 0.615, 0.126);
+  expectMode(modes, "upper sway with gravity's stiffness", 1.592, 0.265);
 }
 
 TEST(LockedWheelsetsTest, InR300TheCarIsAChordAndTheBogiesTurnOverTheirOuterAxles) {
   for (const double side : {1.0, -1.0}) {  // to the left, to the right
     Locked curve(false, fixtures::makeTrack(side > 0.0 ? "left" : "right"), 3450.0);
-    EXPECT_NEAR(side * curve.state.q[0][loco::kY], 77.43e-3, 5e-6);
+    const std::string place = side > 0.0 ? "locked in R300 left, " : "locked in R300 right, ";
+    const auto& q = curve.state.q;
+    rail::verify({"9", place + "car inward", "independent model", "mm", 77.43, 1e3 * side * q[0][loco::kY], 5.1e-3,
+                  "half of the last digit given"});
     for (const std::size_t bogie : {1u, 2u}) {
-      EXPECT_NEAR(side * curve.state.q[bogie][loco::kY], 3.803e-3, 5e-7);
-      EXPECT_NEAR(side * curve.state.q[bogie][loco::kYaw], bogie == 1 ? -0.1966e-3 : 0.1966e-3, 2e-7);
+      const std::string name = place + "bogie " + std::to_string(bogie);
+      rail::verify({"9", name + " inward", "independent model", "mm", 3.803, 1e3 * side * q[bogie][loco::kY], 5.1e-4,
+                    "half of the last digit given"});
+      rail::verify({"9", name + " yaw", "independent model", "mrad", bogie == 1 ? -0.1966 : 0.1966,
+                    1e3 * side * q[bogie][loco::kYaw], 1e-4, "last digit given"});
     }
-    const double expected_N[3] = {-10.19e3, 17.11e3, -6.92e3};
+    const double expected_kN[3] = {-10.19, 17.11, -6.92};
     const BodyVector loads = curve.loadsAt(curve.state, 1e12);
     for (std::size_t axle = 0; axle < 3; ++axle)
-      EXPECT_NEAR(side * loads[BodyLayout::wheelset(axle)][loco::kY], expected_N[axle], 6.0) << axle;
+      rail::verify({"9", place + "primary on wheelset " + std::to_string(axle + 1), "independent model", "kN",
+                    expected_kN[axle], 1e-3 * side * loads[BodyLayout::wheelset(axle)][loco::kY], 5.1e-3,
+                    "half of the last digit given"});
   }
 }
 
@@ -185,7 +199,8 @@ TEST(LockedWheelsetsTest, TheSprungCarTurnsABogieBackWithThreeMeganewtonMetresPe
   turned.q[1][loco::kYaw] += 1e-3;
   turned.damper_x_m.assign(turned.damper_x_m.size(), 0.0);
   const double moment_N_m = locked.loadsAt(turned, 1e12)[0][loco::kYaw];
-  EXPECT_NEAR(moment_N_m, 3.083e6 * 1e-3, 0.5);
+  rail::verify({"9", "secondary yaw stiffness of a bogie", "sum of k_y x^2 + k_x y^2", "MN m/rad", 3.083,
+                1e-3 * moment_N_m, 5.1e-4, "half of the last digit given"});
 }
 
 TEST(LockedWheelsetsTest, InAStandingCantEveryBodyLeansWithItsTrack) {

@@ -27,12 +27,12 @@ auto readFile(const std::string& file, Read read, const std::vector<rail::Overri
 /// Straight from 0, a transition from 3.3 km, R300 to 3.55 km and back to straight.
 inline std::shared_ptr<const rail::Track> makeTrack(const std::string& direction = "left", double cant_mm = 0.0,
                                                     double transition_m = 50.0) {
-  const std::string text = "name: curve\nstart_km: 0\nend_km: 10\ngrades: [{from_km: 0, grade_permille: 0}]\n"
-                           "curves: [{start_km: 3.3, radius_m: 300, direction: " + direction +
-                           ", transition_in_m: " + std::to_string(transition_m) +
-                           ", circular_m: 200, transition_out_m: " + std::to_string(transition_m) +
-                           ", cant_mm: " + std::to_string(cant_mm) +
-                           "}]\nspeed_limits: [{from_km: 0, limit_kmph: 80}]\n";
+  const std::string text =
+      "name: curve\nstart_km: 0\nend_km: 10\ngrades: [{from_km: 0, grade_permille: 0}]\n"
+      "curves: [{start_km: 3.3, radius_m: 300, direction: " +
+      direction + ", transition_in_m: " + std::to_string(transition_m) +
+      ", circular_m: 200, transition_out_m: " + std::to_string(transition_m) + ", cant_mm: " + std::to_string(cant_mm) +
+      "}]\nspeed_limits: [{from_km: 0, limit_kmph: 80}]\n";
   rail::Problems problems;
   const rail::Document document = rail::Document::parse(text, "track.yaml", problems);
   auto track = std::make_shared<const rail::Track>(rail::Track::read(rail::YamlReader(document, problems)));

@@ -6,6 +6,7 @@
 
 #include "loco_3d_fixtures.hpp"
 #include "loco_dynamics/loco_2d.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -121,7 +122,8 @@ TEST(Loco3dTest, WithAGivenPatchItIsThePlanarModel) {
         << i;  // (W5) and (P2) differ by O(h) while slip builds up
     ride.force.coupler_rear_N = -ride.answer.traction_N;
   }
-  EXPECT_NEAR(ride.answer.traction_N, answer.traction_N, 0.1);
+  rail::verify({"9", "given patch: traction under control after 6 s", "2D locomotive", "N", answer.traction_N,
+                ride.answer.traction_N, 0.1, "2.5e-7 of it: settled"});
   const loco::BodyState bodies = ride.bodies();
   for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
     // the planar state: x, z, pitch of each body, then their speeds

@@ -84,6 +84,8 @@ TEST(TrackPlanTest, BeyondItsEndsTheTrackGoesOnAsItEnds) {
   EXPECT_EQ(stretch(curve(), 1010.0, 990.0).heading_rad, 0.0);
 }
 
+TEST(TrackPlanTest, KnowsItsTightestCurve) { EXPECT_DOUBLE_EQ(curve("right").largestCurvature(), 0.01); }
+
 TEST(TrackPlanTest, CantLiftsTheRailOutsideTheCurve) {
   std::size_t hint = 0;
   EXPECT_NEAR(curve("left", 80.0).cant(135.0, 3.0, hint).left_m, -0.080, 1e-12);

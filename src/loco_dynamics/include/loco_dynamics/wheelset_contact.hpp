@@ -8,7 +8,6 @@
 #include "loco_dynamics/contact/hertz_table.hpp"
 #include "loco_dynamics/contact/rail_conditions.hpp"
 #include "loco_dynamics/contact_finder.hpp"
-#include "rail_core/yaml_reader.hpp"
 
 namespace loco {
 
@@ -44,9 +43,6 @@ class WheelsetContact {
     Elasticity elasticity;
     double shear_modulus_Pa = 82e9;
   };
-  /// Reads normal_damping_N_s_per_m, young_modulus_Pa, poisson_ratio, shear_modulus_Pa; leaves finish() to the caller.
-  static Parameters read(rail::YamlReader& reader, double wheel_radius_m);
-
   WheelsetContact(const Parameters& parameters, const RailConditions& rail,
                   std::shared_ptr<const ContactFinder> finder);
 

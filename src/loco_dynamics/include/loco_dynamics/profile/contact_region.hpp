@@ -14,8 +14,8 @@ enum class Side : std::size_t { kLeft = 0, kRight = 1 };
 
 /// Pose of a wheelset against the track frame T (x forward, y left, z up; origin midway between the rail tops).
 struct WheelsetPose {
-  double y_m = 0.0;       ///< axle centre, + left
-  double z_m = 0.0;       ///< axle centre's height over its nominal one, which is the wheel's radius r0 above the rail tops
+  double y_m = 0.0;  ///< axle centre, + left
+  double z_m = 0.0;  ///< axle centre's height over its nominal one, which is the wheel's radius r0 above the rail tops
   double roll_rad = 0.0;  ///< about x, + left wheel up; turns first, about the axle's own x
   double yaw_rad = 0.0;   ///< about z, + nose left
 };
