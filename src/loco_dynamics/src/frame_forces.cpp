@@ -6,8 +6,8 @@
 
 namespace loco {
 
-void addFrameForces(const BodyLayout& layout, const TrackFrames& frames, const BodyVector& v,
-                    double spin_inertia_kg_m2, BodyVector& loads) {
+void addFrameForces(const BodyLayout& layout, const TrackFrames& frames, const BodyVector& v, double spin_inertia_kg_m2,
+                    BodyVector& loads) {
   for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
     const TrackFrame& frame = frames[i];
     const double m = layout.bodies()[i].mass_kg, v_x = v[i][kX];
@@ -23,8 +23,8 @@ void addFrameForces(const BodyLayout& layout, const TrackFrames& frames, const B
   }
 }
 
-void addTurningForces(const BodyLayout& layout, const TrackFrames& now, const TrackFrames& next, const BodyVector& v_now,
-                      const BodyVector& v_next, double h, BodyVector& loads) {
+void addTurningForces(const BodyLayout& layout, const TrackFrames& now, const TrackFrames& next,
+                      const BodyVector& v_now, const BodyVector& v_next, double h, BodyVector& loads) {
   for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
     const Body& body = layout.bodies()[i];
     const double v_old = v_now[i][kX], v_new = v_next[i][kX];

@@ -9,7 +9,7 @@ namespace loco {
 
 namespace {
 
-constexpr double kLargest = 7.0;     ///< of |ln(across/along)|
+constexpr double kLargest = 7.0;          ///< of |ln(across/along)|
 constexpr double kSpacing = 1.0 / 128.0;  ///< chosen: the error falls with its square
 constexpr int kEntries = 2 * 7 * 128 + 1;
 
