@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "loco_dynamics/profile/contact_region.hpp"
+#include "loco_dynamics/profile/wheel_rail_geometry.hpp"
+
+namespace loco {
+
+/// Finds where the wheels of a wheelset overlap their rails (virtual interpenetration). A right wheel is searched as
+/// the mirror image of a left one, so that mirrored poses give the same bits. docs/wheel_rail_geometry.md has the
+/// theory. Source: Kik, Piotrowski, Proc. 2nd Mini Conf. Contact Mechanics, Budapest 1996 (overlap cut at 0.45 delta).
+class ContactSearch {
+ public:
+  explicit ContactSearch(const WheelRailGeometry& geometry);
+
+  /// Regions in order from the flange to the field side; forces summed over them are continuous in the pose.
+  /// @return number of regions found, 0 if the wheel does not touch. Allocates nothing, throws nothing.
+  std::size_t find(Side side, const WheelsetPose& pose, std::array<ContactRegion, kMostContacts>& regions) const;
+
+  const WheelRailGeometry& geometry() const { return geometry_; }
+
+ private:
+  /// A place of the wheel at which the search looks first, with what does not depend on the pose.
+  struct Node {
+    double s_m;
+    HeightTable::Value wheel;
+  };
+  WheelRailGeometry geometry_;
+  std::vector<Node> nodes_;  ///< even along the wheel's surface, from the flange's tip to the field side
+};
+
+}  // namespace loco

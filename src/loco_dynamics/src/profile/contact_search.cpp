@@ -1,0 +1,128 @@
+#include "loco_dynamics/profile/contact_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "region_blend.hpp"
+
+namespace loco {
+
+namespace {
+
+constexpr double kNodeDistance_m = 1.5e-3;  // along the surface; chosen: a tenth of the smallest radius, 12 mm
+constexpr double kBeside_m = 2e-3;          // the search ends this far outside the rail's head
+
+/// Peaks of the overlap from values at the nodes, met in rising s.
+class PeakFinder {
+ public:
+  explicit PeakFinder(const Overlap& overlap) : overlap_(overlap) {}
+
+  void meet(double s_m, const Overlap::Value& here) {
+    if (has_before_) {
+      if (before_.slope > 0.0 && here.slope <= 0.0) meetPeak(s_m, here);
+      if (before_.slope <= 0.0 && here.slope > 0.0) meetValley(s_m, here);
+    }
+    if (open_ && here.overlap_m <= 0.0) close(s_m, here.overlap_m);
+    if (!has_before_ || (!open_ && here.overlap_m <= 0.0)) left_ = {s_m, here.overlap_m};
+    before_s_m_ = s_m;
+    before_ = here;
+    has_before_ = true;
+  }
+  const OverlapPeaks& finish() {
+    if (open_) close(before_s_m_, before_.overlap_m);
+    return peaks_;
+  }
+
+ private:
+  struct End {
+    double s_m, e_m;
+  };
+  void meetPeak(double s_m, const Overlap::Value& here) {
+    if (peaks_.count == kMostPeaks || cannotTouch(s_m, here)) return;
+    const double at_m = findFlatPlace(overlap_, before_s_m_, before_.slope, s_m, here.slope);
+    const double overlap_m = overlap_.at(at_m).overlap_m;
+    if (overlap_m <= 0.0) return;
+    peaks_.peak[peaks_.count] = {at_m, overlap_m, left_.s_m, 0.0, left_.e_m, 0.0};
+    open_ = true;
+  }
+  /// True if a peak between the last two nodes stays below zero by far: it lies under both ends' tangents, and twice
+  /// their rise leaves room for a curvature that changes.
+  bool cannotTouch(double s_m, const Overlap::Value& here) const {
+    const double step_m = s_m - before_s_m_;
+    return std::min(before_.overlap_m + 2.0 * before_.slope * step_m, here.overlap_m - 2.0 * here.slope * step_m) < 0.0;
+  }
+  void meetValley(double s_m, const Overlap::Value& here) {
+    if (!open_) return;
+    const double at_m = findFlatPlace(overlap_, before_s_m_, before_.slope, s_m, here.slope);
+    close(at_m, overlap_.at(at_m).overlap_m);
+  }
+  void close(double s_m, double overlap_m) {
+    peaks_.peak[peaks_.count].right_m = s_m;
+    peaks_.peak[peaks_.count].right_e_m = overlap_m;
+    ++peaks_.count;
+    open_ = false;
+    left_ = {s_m, overlap_m};
+  }
+
+  const Overlap& overlap_;
+  OverlapPeaks peaks_;
+  Overlap::Value before_{};
+  double before_s_m_ = 0.0;
+  bool has_before_ = false;
+  bool open_ = false;  ///< the last peak's stretch has no right end yet
+  End left_{};         ///< where the next peak's stretch begins
+};
+
+ContactRegion makeRegion(const Overlap& overlap, const RegionShape& shape, double share) {
+  const Overlap::Place place = overlap.placeAt(shape.s_m);
+  ContactRegion region;
+  region.p_T = {place.x_m, place.y_m, -place.rail_z_m};
+  region.angle_rad = std::atan2(-shape.side, shape.up);
+  region.rolling_radius_m = place.radius_m;
+  region.approach_m = shape.overlap_m;
+  region.curvature.across_1pm = shape.across_1pm;
+  region.curvature.along_1pm = 1.0 / (place.radius_m * std::sqrt(1.0 + place.wheel_slope * place.wheel_slope));
+  region.share = share;
+  return region;
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const WheelRailGeometry& geometry) : geometry_(geometry) {
+  const HeightTable& wheel = geometry_.wheel();
+  for (double s_m = wheel.begin_m(); s_m < wheel.end_m();) {
+    const HeightTable::Value value = wheel.at(s_m);
+    nodes_.push_back({s_m, value});
+    s_m += kNodeDistance_m / std::sqrt(1.0 + value.slope * value.slope);
+  }
+  nodes_.push_back({wheel.end_m(), wheel.at(wheel.end_m())});
+}
+
+std::size_t ContactSearch::find(Side side, const WheelsetPose& pose,
+                                std::array<ContactRegion, kMostContacts>& regions) const {
+  const bool mirrored = side == Side::kRight;
+  const WheelsetPose left_pose = mirrored ? WheelsetPose{-pose.y_m, pose.z_m, -pose.roll_rad, -pose.yaw_rad} : pose;
+  const Overlap overlap(geometry_, left_pose);
+
+  // only where there is rail: the locus lies near y + taping line + s, pushed outwards by roll
+  const double shift_m = left_pose.y_m + geometry_.tapingLine_m() + geometry_.wheelRadius_m() * left_pose.roll_rad;
+  const double first_m = geometry_.railTop_m() + geometry_.rail().begin_m() - kBeside_m - shift_m;
+  const double last_m = geometry_.railTop_m() + geometry_.rail().end_m() + kBeside_m - shift_m;
+  PeakFinder finder(overlap);
+  for (const Node& node : nodes_) {
+    if (node.s_m < first_m) continue;
+    if (node.s_m > last_m) break;
+    finder.meet(node.s_m, overlap.at(node.s_m, node.wheel));
+  }
+  const BlendedRegions blended = blendRegions(overlap, finder.finish());
+  for (std::size_t i = 0; i < blended.count; ++i) {
+    regions[i] = makeRegion(overlap, blended.shape[i], blended.share[i]);
+    if (mirrored) {
+      regions[i].p_T.y() = -regions[i].p_T.y();
+      regions[i].angle_rad = -regions[i].angle_rad;
+    }
+  }
+  return blended.count;
+}
+
+}  // namespace loco

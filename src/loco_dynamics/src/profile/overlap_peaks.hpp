@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "overlap.hpp"
+
+namespace loco {
+
+/// A local maximum of the overlap and the stretch of wheel around it in which it is the only one.
+struct OverlapPeak {
+  double s_m;
+  double overlap_m;            ///< > 0
+  double left_m, right_m;      ///< places beyond which another peak's stretch begins, or where the overlap has ended
+  double left_e_m, right_e_m;  ///< overlap there
+};
+
+/// More than a worn pair has; what lies further to the field side is left out.
+inline constexpr std::size_t kMostPeaks = 8;
+
+struct OverlapPeaks {
+  std::array<OverlapPeak, kMostPeaks> peak;
+  std::size_t count = 0;
+};
+
+/// Place in (low, high) where de/ds is 0; its signs at both ends differ. By regula falsi (Illinois), to 1e-7 m, which
+/// moves the overlap by 1e-12 m.
+double findFlatPlace(const Overlap& overlap, double low_m, double low_slope, double high_m, double high_slope);
+
+/// Place between a peak and an end of its stretch (e there < 0) where the overlap ends, by Newton's method kept within
+/// the bracket, to 1e-5 of the distance from the peak.
+double findEdge(const Overlap& overlap, const OverlapPeak& peak, double end_m, double end_e_m);
+
+}  // namespace loco

@@ -1,0 +1,134 @@
+#include "region_blend.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loco {
+
+namespace {
+
+constexpr double kOneBelow_m = 4e-3;  // regions nearer than this are one patch (as CONTACT merges them)
+constexpr double kTwoBeyond_m = 8e-3;
+// Elastic bodies touch where the undeformed ones overlap by about 0.45 of the largest overlap or more (Kik, Piotrowski
+// 1996), so a patch is one while the valley is above that: the step is laid around 1 - 0.45.
+constexpr double kOneAboveDepth = 0.35;
+constexpr double kTwoBelowDepth = 0.75;
+/// Of the regions that find no place beside the largest three, the third one's share goes to 0 where they are equal.
+constexpr double kFadeBelow = 0.2;
+
+double step(double x, double begin, double end) {
+  const double u = std::min(std::max((x - begin) / (end - begin), 0.0), 1.0);
+  return u * u * (3.0 - 2.0 * u);
+}
+
+/// Neighbouring peaks that are wholly one.
+struct Group {
+  std::size_t first, last, highest;  ///< peaks
+  double cut = 0.0;                  ///< sigma of the gap behind it
+  double mass = 0.0;                 ///< of its own e^1.5
+};
+struct Groups {
+  std::array<Group, kMostPeaks> group;
+  std::size_t count = 0;
+};
+
+/// sigma between two peaks.
+double computeCut(const Overlap& overlap, const OverlapPeak& left, const OverlapPeak& right, double valley_m) {
+  const double lower_m = std::min(left.overlap_m, right.overlap_m);
+  const double depth = step(1.0 - std::max(valley_m, 0.0) / lower_m, kOneAboveDepth, kTwoBelowDepth);
+  if (depth == 0.0) return 0.0;
+  const Overlap::Place a = overlap.placeAt(left.s_m), b = overlap.placeAt(right.s_m);
+  return depth * step(std::hypot(b.y_m - a.y_m, b.rail_z_m - a.rail_z_m), kOneBelow_m, kTwoBeyond_m);  // (W5)
+}
+
+Groups groupPeaks(const Overlap& overlap, const OverlapPeaks& peaks) {
+  Groups groups;
+  groups.group[0] = {0, 0, 0};
+  groups.count = 1;
+  for (std::size_t i = 1; i < peaks.count; ++i) {
+    Group& last = groups.group[groups.count - 1];
+    last.cut = computeCut(overlap, peaks.peak[last.highest], peaks.peak[i], peaks.peak[i].left_e_m);
+    if (last.cut > 0.0) {
+      groups.group[groups.count++] = {i, i, i};
+    } else {
+      last.last = i;
+      if (peaks.peak[i].overlap_m > peaks.peak[last.highest].overlap_m) last.highest = i;
+    }
+  }
+  return groups;
+}
+
+/// The mean over all ways to cut of the shape of the piece that holds group i, and of the sum of its groups' masses.
+RegionShape computeMean(const Overlap& overlap, const OverlapPeaks& peaks, const Groups& groups, std::size_t i,
+                        const RegionShape& own, double& mean_mass) {
+  RegionShape mean;
+  mean_mass = 0.0;
+  double left_weight = 1.0;
+  for (std::size_t first = i + 1; first-- > 0;) {  // pieces from `first` to `last`, both sides of i
+    const double left_cut = first > 0 ? groups.group[first - 1].cut : 1.0;
+    double right_weight = 1.0;
+    for (std::size_t last = i; last < groups.count && left_weight * left_cut > 0.0; ++last) {
+      const double right_cut = last + 1 < groups.count ? groups.group[last].cut : 1.0;
+      const double weight = left_weight * left_cut * right_weight * right_cut;
+      if (weight > 0.0) {
+        const bool alone = first == i && last == i;
+        mean.add(
+            alone ? own
+                  : computeShape(computeRegionSums(overlap, peaks, groups.group[first].first, groups.group[last].last)),
+            weight);
+        for (std::size_t j = first; j <= last; ++j) mean_mass += weight * groups.group[j].mass;
+      }
+      right_weight *= 1.0 - right_cut;
+      if (right_weight == 0.0) break;
+    }
+    left_weight *= 1.0 - left_cut;
+    if (left_weight == 0.0) break;
+  }
+  return mean;
+}
+
+/// Takes the least region out until three are left.
+void keepLargest(std::array<RegionShape, kMostPeaks>& shapes, std::array<double, kMostPeaks>& share, Groups& groups) {
+  while (groups.count > kMostContacts) {
+    const auto end = groups.group.begin() + static_cast<std::ptrdiff_t>(groups.count);
+    const auto least =
+        std::min_element(groups.group.begin(), end, [](const Group& a, const Group& b) { return a.mass < b.mass; });
+    const double mass = least->mass;
+    const auto at = static_cast<std::size_t>(least - groups.group.begin());
+    for (std::size_t i = at; i + 1 < groups.count; ++i) {
+      groups.group[i] = groups.group[i + 1];
+      shapes[i] = shapes[i + 1];
+      share[i] = share[i + 1];
+    }
+    --groups.count;
+    for (std::size_t i = 0; i < groups.count; ++i) share[i] *= step(1.0 - mass / groups.group[i].mass, 0.0, kFadeBelow);
+  }
+}
+
+}  // namespace
+
+BlendedRegions blendRegions(const Overlap& overlap, const OverlapPeaks& peaks) {
+  BlendedRegions regions;
+  if (peaks.count == 0) return regions;
+  Groups groups = groupPeaks(overlap, peaks);
+  std::array<RegionShape, kMostPeaks> own, shapes;
+  std::array<double, kMostPeaks> share{};
+  for (std::size_t i = 0; i < groups.count; ++i) {
+    const RegionSums sums = computeRegionSums(overlap, peaks, groups.group[i].first, groups.group[i].last);
+    groups.group[i].mass = sums.mass;
+    own[i] = computeShape(sums);
+  }
+  for (std::size_t i = 0; i < groups.count; ++i) {
+    double mean_mass = 0.0;
+    shapes[i] = groups.count == 1 ? own[i] : computeMean(overlap, peaks, groups, i, own[i], mean_mass);
+    share[i] = groups.count == 1 ? 1.0 : groups.group[i].mass / mean_mass;  // (W6)
+  }
+  keepLargest(shapes, share, groups);
+  for (; regions.count < groups.count; ++regions.count) {
+    regions.shape[regions.count] = shapes[regions.count];
+    regions.share[regions.count] = share[regions.count];
+  }
+  return regions;
+}
+
+}  // namespace loco

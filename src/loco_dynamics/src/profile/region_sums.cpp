@@ -1,0 +1,90 @@
+#include "region_sums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace loco {
+
+namespace {
+
+/// Gauss and Legendre's rule of eight points: half of its nodes on (-1, 1) and their weights (Abramowitz,
+/// Stegun 25.4.29).
+struct GaussNode {
+  double place, weight;
+};
+constexpr std::array<GaussNode, 4> kGauss{{{0.183434642495649805, 0.362683783378361983},
+                                           {0.525532409916328986, 0.313706645877887287},
+                                           {0.796666477413626740, 0.222381034453374471},
+                                           {0.960289856497536232, 0.101228536290376259}}};
+
+// Stretches are cut at multiples of this, fixed on the wheel: where an end passes a cut, the sums go on smoothly.
+// Chosen: longer ones smear the jumps of curvature between a profile's arcs.
+constexpr double kPanel_m = 6e-3;
+
+void addPlace(RegionSums& sums, const Overlap& overlap, const PlaceOrigin& origin, double s_m, double weight_m) {
+  const Overlap::Place place = overlap.placeAt(s_m);
+  const double e_m = std::max(place.overlap_m, 0.0);
+  const double length_m = weight_m * place.rail_length;
+  const double mass = e_m * std::sqrt(e_m) * length_m, weight = e_m * e_m * length_m;
+  const double y_m = place.y_m - origin.y_m, z_m = place.rail_z_m - origin.z_m;
+  sums.mass += mass;
+  sums.mass_y += mass * y_m;
+  sums.mass_z += mass * z_m;
+  sums.mass_square += mass * (y_m * y_m + z_m * z_m);
+  sums.weight += weight;
+  sums.weight_s += weight * s_m;
+  sums.weight_up += weight * place.rail_cos;
+  sums.weight_side += weight * place.rail_cos * place.rail_slope;
+}
+
+void addStretch(RegionSums& sums, const Overlap& overlap, const PlaceOrigin& origin, double begin_m, double end_m) {
+  for (double panel = std::floor(begin_m / kPanel_m) + 1.0; begin_m < end_m; panel += 1.0) {
+    const double next_m = std::min(std::max(panel * kPanel_m, begin_m), end_m);
+    const double middle_m = 0.5 * (begin_m + next_m), half_m = 0.5 * (next_m - begin_m);
+    for (const GaussNode& node : kGauss) {
+      addPlace(sums, overlap, origin, middle_m - half_m * node.place, half_m * node.weight);
+      addPlace(sums, overlap, origin, middle_m + half_m * node.place, half_m * node.weight);
+    }
+    begin_m = next_m;
+  }
+}
+
+}  // namespace
+
+void RegionShape::add(const RegionShape& other, double factor) {
+  overlap_m += factor * other.overlap_m;
+  across_1pm += factor * other.across_1pm;
+  s_m += factor * other.s_m;
+  up += factor * other.up;
+  side += factor * other.side;
+}
+
+RegionShape computeShape(const RegionSums& sums) {
+  return {sums.overlap_m, sums.overlap_m / (3.0 * sums.computeVariance_m2()),  // (W3)
+          sums.weight_s / sums.weight, sums.weight_up / sums.weight, sums.weight_side / sums.weight};
+}
+
+double RegionSums::computeVariance_m2() const {
+  const double y_m = mass_y / mass, z_m = mass_z / mass;
+  return mass_square / mass - (y_m * y_m + z_m * z_m);
+}
+
+RegionSums computeRegionSums(const Overlap& overlap, const OverlapPeaks& peaks, std::size_t first, std::size_t last) {
+  const Overlap::Place near = overlap.placeAt(peaks.peak[0].s_m);
+  RegionSums sums;
+  double begin_m = 0.0;
+  bool open = false;
+  for (std::size_t i = first; i <= last; ++i) {
+    const OverlapPeak& peak = peaks.peak[i];
+    sums.overlap_m = std::max(sums.overlap_m, peak.overlap_m);
+    if (!open) begin_m = peak.left_e_m < 0.0 ? findEdge(overlap, peak, peak.left_m, peak.left_e_m) : peak.left_m;
+    open = i < last && peak.right_e_m >= 0.0;  // no cut in a valley that overlaps: the valley may have come up just now
+    if (open) continue;
+    const double end_m = peak.right_e_m < 0.0 ? findEdge(overlap, peak, peak.right_m, peak.right_e_m) : peak.right_m;
+    addStretch(sums, overlap, {near.y_m, near.rail_z_m}, begin_m, end_m);
+  }
+  return sums;
+}
+
+}  // namespace loco
