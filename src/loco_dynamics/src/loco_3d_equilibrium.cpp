@@ -24,6 +24,15 @@ double unitOf(std::size_t body, Eigen::Index dof) {
   return dof == kPitch && body >= BodyLayout::wheelset(0) ? 1e-2 : 1e-3;
 }
 
+BodyState movedBy(const Flat& step, BodyState state) {
+  for (Eigen::Index i = 0; i < kSize; ++i) {
+    const auto body = static_cast<std::size_t>(i) / kDofs;
+    const Eigen::Index dof = i % static_cast<Eigen::Index>(kDofs);
+    unknown(state, body, dof) += step[i] * unitOf(body, dof);
+  }
+  return state;
+}
+
 constexpr double kForEver_s = 1e12;  ///< a step after which a yaw damper has no force
 
 /// Takes from the forces along the track what slows all bodies down together.
@@ -146,24 +155,14 @@ void Loco3d::relax(const TrackFrames& frames, BodyState& state) const {
     Eigen::MatrixXd jacobian(kSize, kSize);
     for (Eigen::Index column = 0; column < kSize; ++column) {
       constexpr double kStep = 1e-5;  // of the units
-      const auto body = static_cast<std::size_t>(column) / kDofs;
-      const Eigen::Index dof = column % static_cast<Eigen::Index>(kDofs);
-      BodyState moved = state;
-      unknown(moved, body, dof) += kStep * unitOf(body, dof);
-      jacobian.col(column) = (loadsAt(moved) - loads) / kStep;
+      jacobian.col(column) = (loadsAt(movedBy(kStep * Flat::Unit(kSize, column), state)) - loads) / kStep;
     }
     const Eigen::MatrixXd square = jacobian.transpose() * jacobian;
     bool better = false;
     for (int attempt = 0; attempt < 12 && !better; ++attempt) {
       Eigen::MatrixXd system = square;
       system.diagonal().array() += damping * (1.0 + 1e-3 * square.diagonal().array());
-      const Flat step = system.ldlt().solve(-jacobian.transpose() * loads);
-      BodyState moved = state;
-      for (Eigen::Index row = 0; row < kSize; ++row) {
-        const auto body = static_cast<std::size_t>(row) / kDofs;
-        const Eigen::Index dof = row % static_cast<Eigen::Index>(kDofs);
-        unknown(moved, body, dof) += step[row] * unitOf(body, dof);
-      }
+      const BodyState moved = movedBy(system.ldlt().solve(-jacobian.transpose() * loads), state);
       const Flat there = loadsAt(moved);
       better = there.squaredNorm() < loads.squaredNorm();
       damping *= better ? 0.1 : 10.0;
