@@ -17,21 +17,21 @@ const char* nameOf(Dof dof) {
 }
 
 /// How far a body is from its place, seen from the car body [m, rad]; a wheelset's spin has no place.
-double offsetOf(const BodyVector& q, std::size_t body, Dof dof) {
+double offsetOf(const BodyVector& q, const BodyVector& rest, std::size_t body, Dof dof) {
   if (dof == kPitch && body >= BodyLayout::wheelset(0)) return 0.0;
   const auto k = static_cast<Eigen::Index>(dof);
-  return dof == kX ? q[body][k] - q[BodyLayout::kCar][k] : q[body][k];
+  return q[body][k] - (dof == kX ? q[BodyLayout::kCar][k] : rest[body][k]);
 }
 
 /// A run that grows without bound is told long before it has no numbers left.
-std::string findImplausible(const BodyLayout& layout, const BodyVector& q) {
+std::string findImplausible(const BodyLayout& layout, const BodyVector& q, const BodyVector& rest) {
   constexpr double kLargest = 1.0;  // m, rad; chosen: far beyond small motions, of which the model is
   double largest = 0.0;
   std::size_t body = 0;
   Dof dof = kX;
   for (std::size_t i = 0; i < layout.bodies().size(); ++i) {
     for (const Dof k : layout.dofs()) {
-      const double offset = std::abs(offsetOf(q, i, k));
+      const double offset = std::abs(offsetOf(q, rest, i, k));
       if (offset <= largest) continue;
       largest = offset;
       body = i;
@@ -40,14 +40,17 @@ std::string findImplausible(const BodyLayout& layout, const BodyVector& q) {
   }
   if (largest <= kLargest) return {};
   char text[64];
-  std::snprintf(text, sizeof text, " is %.3g %s from its place", offsetOf(q, body, dof), dof < kRoll ? "m" : "rad");
+  std::snprintf(text, sizeof text, " is %.3g %s from its place", offsetOf(q, rest, body, dof),
+                dof < kRoll ? "m" : "rad");
   return layout.bodies()[body].name + ": in " + nameOf(dof) + text;
 }
 
 }  // namespace
 
 BodyDynamics::BodyDynamics(BodyLayout layout, Suspension suspension)
-    : layout_(std::move(layout)), suspension_(std::move(suspension)), workspace_(suspension_) {}
+    : layout_(std::move(layout)), suspension_(std::move(suspension)), workspace_(suspension_) {
+  for (auto& body : rest_) body.setZero();
+}
 
 void BodyDynamics::pack(const BodyState& state, double* out) const {
   for (const BodyVector* x : {&state.q, &state.v})
@@ -73,7 +76,7 @@ std::vector<BodyPose> BodyDynamics::computePoses(const double* in) const {
   std::vector<BodyPose> poses;
   for (std::size_t i = 0; i < layout_.bodies().size(); ++i) {
     const Body& body = layout_.bodies()[i];
-    const auto& q = state.q[i];
+    const Eigen::Matrix<double, 6, 1> q = state.q[i] - rest_[i];
     BodyPose pose;
     pose.name = body.name;
     std::replace(pose.name.begin(), pose.name.end(), ' ', '_');
@@ -104,7 +107,7 @@ std::string BodyDynamics::step(const BodyVector& loads, double h, BodyState& sta
         return layout_.bodies()[i].name + ": its speed in " + nameOf(dof) + " is no number";
     }
   }
-  return findImplausible(layout_, state.q);
+  return findImplausible(layout_, state.q, rest_);
 }
 
 double BodyDynamics::computeDampingWork(const BodyVector& v_old, const BodyVector& v_new, double h,

@@ -25,11 +25,14 @@ Loco2d::Loco2d(const Parameters& parameters)
     : parameters_(parameters),
       dynamics_(BodyLayout(parameters.structure.bodies, kPlanarDofs), parameters.structure.suspension),
       contact_(parameters.contact, parameters.rail),
-      drive_(parameters.structure, parameters.control, parameters.adhesion_limit, parameters.micro_step) {}
+      drive_(parameters.structure, parameters.control, parameters.adhesion_limit, parameters.micro_step) {
+  dynamics_.setRest(computeEquilibrium());
+}
 
 std::size_t Loco2d::stateSize() const { return dynamics_.stateSize() + drive_.stateSize(); }
 
-std::vector<double> Loco2d::equilibriumState(double location_m, double speed_mps) const {
+/// At rest at chainage 0; nothing of it depends on the place.
+BodyVector Loco2d::computeEquilibrium() const {
   BodyState state;
   dynamics_.unpack(std::vector<double>(dynamics_.stateSize(), 0.0).data(), state);
   const auto n = static_cast<Eigen::Index>(dynamics_.layout().size());
@@ -68,13 +71,18 @@ std::vector<double> Loco2d::equilibriumState(double location_m, double speed_mps
     for (std::size_t i = 0; i < BodyLayout::kBodies; ++i)
       for (const Dof dof : kPlanarDofs) state.q[i][static_cast<Eigen::Index>(dof)] += step[column++];
   }
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) state.q[BodyLayout::wheelset(axle)][kPitch] = 0.0;
+  return state.q;
+}
+
+std::vector<double> Loco2d::equilibriumState(double location_m, double speed_mps) const {
+  BodyState state;
+  dynamics_.unpack(std::vector<double>(dynamics_.stateSize(), 0.0).data(), state);
+  state.q = dynamics_.rest();
   for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
     state.q[i][kX] += location_m;
     state.v[i][kX] = speed_mps;
-    if (i >= BodyLayout::wheelset(0)) {
-      state.q[i][kPitch] = 0.0;
-      state.v[i][kPitch] = speed_mps / parameters_.structure.wheel_radius_m;
-    }
+    if (i >= BodyLayout::wheelset(0)) state.v[i][kPitch] = speed_mps / parameters_.structure.wheel_radius_m;
   }
   std::vector<double> flat(dynamics_.stateSize());
   dynamics_.pack(state, flat.data());
@@ -148,7 +156,9 @@ void Loco2d::addContactForces(double h, BodyVector& loads) {
     const double m = dynamics_.layout().inertia(i, kX), J = dynamics_.layout().inertia(i, kPitch);
     const double slope = std::max(a.contact.slope_N_s_per_m, 0.0);
     const double free_rate = r * loads[i][kPitch] / J - loads[i][kX] / m;  // dw/dt without the contact
-    a.force_N = (a.contact.force_N + slope * h * free_rate) / (1.0 + slope * h * (r * r / J + 1.0 / m));
+    const double largest_N = 2.0 * a.contact.friction * a.normal_N;  // the straight line may pass what the law cannot
+    a.force_N = std::clamp((a.contact.force_N + slope * h * free_rate) / (1.0 + slope * h * (r * r / J + 1.0 / m)),
+                           -largest_N, largest_N);
     loads[i][kZ] += 2.0 * a.normal_N;
     loads[i][kX] += a.force_N;
     loads[i][kPitch] -= a.force_N * r;
@@ -169,8 +179,8 @@ void Loco2d::report(AdhesionReport& out) const {
     to.torque_reference_N_m = drive_.torqueReference_N_m(axle);
     to.torque_N_m = drive_.torque_N_m(axle);
     to.controlled = drive_.controlled(axle);
-    to.frictional_power_W = a.force_N * a.slip_mps;
-    to.t_gamma_N = std::abs(a.force_N * to.creep);
+    to.frictional_power_W = a.slip_power_W;
+    to.t_gamma_N = std::abs(a.force_N * a.slip_mps) / std::max(std::abs(a.v_mps), kCreepageSpeedFloor_mps);
     to.vertical_force_N[0] = to.vertical_force_N[1] = a.normal_N;
   }
 }
@@ -192,6 +202,7 @@ void Loco2d::book(const LocoForce& force, const BodyVector& v_old, double h, Loc
     answer.traction_N += axles_[axle].force_N;
     answer.work_slip_J += slip_work;
     account_.slip += slip_work;
+    axles_[axle].slip_power_W = slip_work / h;
     account_.contact_damping -= 2.0 * axles_[axle].damping_normal_N * v[kZ] * h;
   }
   const TractionDrive::Work work = drive_.computeWork(v_mean, h);

@@ -33,7 +33,9 @@ Loco3d::Loco3d(const Parameters& parameters)
       contact_(parameters.contact, parameters.rail, parameters.finder),
       drive_(parameters.structure, parameters.control, parameters.adhesion_limit, parameters.micro_step),
       frames_(dynamics_.layout(), parameters_.track.get()),
-      next_frames_(frames_) {}
+      next_frames_(frames_) {
+  dynamics_.setRest(computeRest());
+}
 
 std::size_t Loco3d::stateSize() const { return dynamics_.stateSize() + drive_.stateSize() + 2 * BodyLayout::kAxles; }
 

@@ -182,21 +182,32 @@ bool Loco3d::onStraightTrack(const BodyState& state) const {
   return true;
 }
 
+/// At rest at chainage 0 of straight track.
+BodyVector Loco3d::computeRest() const {
+  BodyState state;
+  dynamics_.unpack(std::vector<double>(dynamics_.stateSize(), 0.0).data(), state);
+  placeWheelsets(state);
+  relax(TrackFrames(dynamics_.layout(), nullptr), state);
+  for (auto& q : state.q) q[kY] = q[kRoll] = q[kYaw] = 0.0;  // both sides are alike: no round-off to grow from
+  return state.q;
+}
+
 std::vector<double> Loco3d::equilibriumState(double location_m, double speed_mps) const {
   BodyState state;
   dynamics_.unpack(std::vector<double>(dynamics_.stateSize(), 0.0).data(), state);
+  state.q = dynamics_.rest();
   for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
-    state.q[i][kX] = location_m;
+    state.q[i][kX] += location_m;
     state.v[i][kX] = speed_mps;
     if (i >= BodyLayout::wheelset(0)) state.v[i][kPitch] = speed_mps / parameters_.structure.wheel_radius_m;
   }
-  placeWheelsets(state);
-  relax(TrackFrames(dynamics_.layout(), nullptr), state);
   if (!onStraightTrack(state)) {
     followTrack(state);
     settle(state, speed_mps);
-    relax(frames_, state);
   }
+  relax(frames_, state);
+  if (onStraightTrack(state))
+    for (auto& q : state.q) q[kY] = q[kRoll] = q[kYaw] = 0.0;
   std::vector<double> flat(dynamics_.stateSize());
   BodyState at_rest = state;  // the yaw dampers have followed
   TrackFrames frames = frames_;

@@ -1,10 +1,12 @@
 #include "loco_dynamics/loco_factory.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
 #include "loco_dynamics/contact/contact_config.hpp"
+#include "loco_dynamics/contact/creepage.hpp"
 #include "loco_dynamics/loco_1d.hpp"
 #include "loco_dynamics/loco_2d.hpp"
 #include "loco_dynamics/loco_3d.hpp"
@@ -113,7 +115,50 @@ ModelOptions readModelOptions(rail::YamlReader& root, rail::Nanoseconds micro_st
   return options;
 }
 
-LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, double vehicle_mass_kg) {
+namespace {
+
+std::string format(const char* pattern, double a, double b = 0.0) {
+  char text[160];
+  std::snprintf(text, sizeof text, pattern, a, b);
+  return text;
+}
+
+/// What the files of a locomotive say of one and the same thing must agree, and it must be able to stand.
+void checkRelations(rail::YamlReader& reader, const rail::Vehicle& vehicle, const LocoDetails& details) {
+  const LocoStructure& s = details.structure;
+  const PlanarContact::Parameters& c = details.contact;
+  rail::YamlReader bodies = reader.map("bodies"), contact = reader.map("contact");
+  if (std::abs(s.totalMass() - vehicle.mass_kg) > 1e-9 * vehicle.mass_kg)
+    reader.refuse("mass_kg", format("must be the sum of the masses in `bodies`, %.10g kg", s.totalMass()));
+  if (vehicle.axles != static_cast<int>(BodyLayout::kAxles))
+    reader.refuse("axles", format("must be %g, as many as `bodies` has", static_cast<double>(BodyLayout::kAxles)));
+  if (std::abs(s.coupler_x_m - 0.5 * vehicle.length_m) > 1e-6)
+    bodies.map("coupler").refuse("x_m", format("must be half of length_m, %.10g m", 0.5 * vehicle.length_m));
+  const Body& wheelset = s.bodies[BodyLayout::wheelset(0)];
+  const double least_kg_m2 = 0.1 * wheelset.mass_kg * s.wheel_radius_m * s.wheel_radius_m;  // a set of thin axles
+  if (wheelset.inertia_kg_m2.y() < least_kg_m2)
+    bodies.map("wheelsets").refuse("spin_inertia_kg_m2", format("must be at least m r^2/10, %.4g kg m2", least_kg_m2));
+  constexpr double kMostSag_m = 0.4;  // chosen: no suspension gives so much
+  const double sag_m = s.computeStaticSag();
+  if (!(sag_m <= kMostSag_m))
+    reader.refuse("bodies", format("is too soft: the car body would sink by %.3g m under its weight, at most %g may be",
+                                   sag_m, kMostSag_m));
+  const double G = c.elasticity.young_Pa / (2.0 * (1.0 + c.elasticity.poisson));
+  if (std::abs(c.shear_modulus_Pa - G) > 0.05 * G)
+    contact.refuse("shear_modulus_Pa",
+                   format("must be that of young_modulus_Pa and poisson_ratio, %.4g, within 5 %%", G));
+  constexpr double kMostApproach_m = 0.5e-3;  // chosen: steel gives 0.1 mm
+  const double wheel_N = s.totalMass() * rail::kGravity_mps2 / (2.0 * BodyLayout::kAxles);
+  const double approach_m = PlanarContact::makeNormalContact(c).computeApproach(wheel_N);
+  if (!(approach_m <= kMostApproach_m))
+    contact.refuse(c.normal_law == NormalLaw::kLinear ? "linear_stiffness_N_per_m" : "young_modulus_Pa",
+                   format("is too soft: wheels would sink by %.3g m into the rail, at most %g may be", approach_m,
+                          kMostApproach_m));
+}
+
+}  // namespace
+
+LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, const rail::Vehicle& vehicle) {
   LocoDetails details;
   if (!hasContacts(model) && !reader.has("bodies") && !reader.has("contact") && !reader.has("profiles")) return details;
   const std::size_t problems_before = reader.problems().count();
@@ -121,22 +166,39 @@ LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, 
   details.contact = PlanarContact::read(reader.map("contact"), details.structure.wheel_radius_m);
   if (model == "3d" || reader.has("profiles"))
     details.finder = readFinder(reader.map("profiles"), details.structure.wheel_radius_m);
-  if (reader.problems().count() != problems_before) return details;
-  const double sum_kg = details.structure.totalMass();
-  if (std::abs(sum_kg - vehicle_mass_kg) > 1e-9 * vehicle_mass_kg)
-    reader.refuse("mass_kg", "must be the sum of the bodies' masses, " + std::to_string(sum_kg) + " kg");
+  if (reader.problems().count() == problems_before) checkRelations(reader, vehicle, details);
   return details;
 }
 
-StepLimit computeMicroStepLimit(const LocoDetails& details, const std::string& model) {
-  if (!hasContacts(model)) return {};
+namespace {
+
+void checkController(rail::YamlReader& root, const adhesion::ControlParameters& control, const LocoStructure& structure,
+                     rail::Nanoseconds micro_step) {
+  if (control.law != "pi") return;
+  const double r = structure.wheel_radius_m;
+  const double J = structure.bodies[BodyLayout::wheelset(0)].inertia_kg_m2.y();
+  const double period_s = rail::toSeconds(std::max(control.pi.sampling_period, micro_step));
+  const double loop = control.pi.pi.proportional_gain_N_m * r * period_s / (J * kCreepageSpeedFloor_mps);  // (A10)
+  if (loop < 2.0) return;
+  root.map("control").refuse(
+      "proportional_gain_N_m",
+      format("swings up at low speed: K_p r T_s/(J 0.5 m/s) = %.3g must be below 2; lower the gain or the sampling "
+             "period",
+             loop));
+}
+
+StepLimit computeMicroStepLimit(const LocoDetails& details) {
   const LocoStructure& s = details.structure;
   const double wheel_N = s.totalMass() * rail::kGravity_mps2 / (2.0 * BodyLayout::kAxles);
   const double stiffness = PlanarContact::makeNormalContact(details.contact).computeTangentStiffness(wheel_N);
-  const std::vector<Dof> dofs =
-      model == "3d" ? std::vector<Dof>{kX, kY, kZ, kRoll, kPitch, kYaw} : std::vector<Dof>{kX, kZ, kPitch};
-  return computeStepLimit(linearise(s, allCoordinates(dofs), {stiffness, details.contact.normal_damping_N_s_per_m},
-                                    {Branch::kStiffest, true}));
+  return computeStepLimit(linearise(s, allCoordinates({kX, kZ, kPitch}),
+                                    {stiffness, details.contact.normal_damping_N_s_per_m}, {Branch::kStiffest, true}));
+}
+
+/// To four significant digits, never up: what a message says may be used, may be.
+double roundDown(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 3.0);
+  return std::floor(x / unit) * unit;
 }
 
 void checkMicroStep(rail::YamlReader& root, const StepLimit& limit, const std::string& locomotive,
@@ -146,10 +208,12 @@ void checkMicroStep(rail::YamlReader& root, const StepLimit& limit, const std::s
   std::snprintf(text, sizeof text,
                 "must be at most %.4g s for %s: mode \"%s\" at %.4g Hz, damping ratio %.2g, grows with steps beyond "
                 "%.4g s, of which %g may be used",
-                std::floor(limit.largest_s() * 1e6) / 1e6, locomotive.c_str(), limit.mode.c_str(), limit.frequency_Hz,
-                limit.damping, limit.stable_s, kStepShare);
+                roundDown(limit.largest_s()), locomotive.c_str(), limit.mode.c_str(), limit.frequency_Hz, limit.damping,
+                limit.stable_s, kStepShare);
   root.map("steps").refuse("micro_step_s", text);
 }
+
+}  // namespace
 
 std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const std::string& key,
                                            rail::Problems& problems) {
@@ -170,9 +234,10 @@ std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const
   const rail::Nanoseconds micro_step =
       rail::wholeNanoseconds(root.map("steps").number("micro_step_s", rail::positive())).value_or(0);
   const ModelOptions options = readModelOptions(root, micro_step);
-  const LocoDetails details = readLocoDetails(reader, model, vehicle.mass_kg);
+  const LocoDetails details = readLocoDetails(reader, model, vehicle);
   if (problems.count() == problems_before)
-    checkMicroStep(root, computeMicroStepLimit(details, model), vehicle.name, micro_step);
+    checkMicroStep(root, computeMicroStepLimit(details), vehicle.name, micro_step);
+  if (problems.count() == problems_before) checkController(root, options.control, details.structure, micro_step);
   if (problems.count() != problems_before) return nullptr;
   if (model == "3d") return makeLoco3d(root, details, options, adhesion_limit, micro_step);
   return std::make_unique<Loco2d>(Loco2d::Parameters{details.structure, details.contact, options.rail, options.control,

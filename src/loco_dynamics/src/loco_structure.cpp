@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "rail_core/constants.hpp"
+
 namespace loco {
 
 namespace {
@@ -228,6 +230,17 @@ double LocoStructure::totalMass() const {
   double mass_kg = 0.0;
   for (const Body& body : bodies) mass_kg += body.mass_kg;
   return mass_kg;
+}
+
+double LocoStructure::computeStaticSag() const {
+  double primary_N_per_m = 0.0, secondary_N_per_m = 0.0;
+  for (const SpringDamper& spring : suspension.springs)
+    (spring.body_A == BodyLayout::kCar ? secondary_N_per_m : primary_N_per_m) += spring.stiffness_N_per_m.z();
+  const double car_N = bodies[BodyLayout::kCar].mass_kg * rail::kGravity_mps2;
+  double sprung_N = car_N;
+  for (std::size_t i = 0; i < BodyLayout::kBogies; ++i)
+    sprung_N += bodies[BodyLayout::bogie(i)].mass_kg * rail::kGravity_mps2;
+  return sprung_N / primary_N_per_m + car_N / secondary_N_per_m;
 }
 
 LocoStructure LocoStructure::read(rail::YamlReader reader) { return StructureReader(std::move(reader)).read(); }

@@ -122,7 +122,9 @@ TEST(Loco2dTest, AtSteadySpeedTheRimsPayTheRailsWorkAndTheSlip) {
 }
 
 TEST(Loco2dTest, WithoutControlTheWheelsRaceAndOnlyKineticFrictionIsLeft) {
-  Ride ride = makeRide(2.0, "none");
+  Loco2d::Parameters p = fixtures::paperParameters("none");
+  p.control.rim_power_limit = false;
+  Ride ride(p, 2.0);
   ride.force.traction_reference_N = 560e3;
   ride.force.coupler_rear_N = -184.04e3;
   ride.run(30.0);
@@ -143,6 +145,39 @@ TEST(Loco2dTest, IsAPureFunctionOfStateAndForce) {
   ride.step();
   fresh.step(before, force, again);
   EXPECT_TRUE(loco::samePayload(ride.answer, again));
+}
+
+TEST(Loco2dTest, CreepForceNeverPassesWhatFrictionOffersHoweverStiffTheCreep) {
+  Loco2d::Parameters p = fixtures::paperParameters("none");
+  p.rail.elsewhere.reduction.k0 = 1.0;  // clean steel: the straight line of the implicit step passes mu N
+  p.rail.elsewhere.friction.mu0 = 0.05;
+  Ride ride(p, 0.0);
+  ride.force.traction_reference_N = 560e3;
+  double largest_use = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    ride.step();
+    for (const loco::AxleAdhesion& axle : ride.answer.adhesion.axles) {
+      largest_use = std::max(largest_use, std::abs(axle.force_N) / (axle.friction * axle.normal_force_N));
+      ASSERT_GE(axle.frictional_power_W, -1e-3) << i;  // round-off of a wheel that sticks
+    }
+  }
+  EXPECT_LE(largest_use, 1.0 + 1e-12);
+  EXPECT_GT(largest_use, 0.99);
+}
+
+TEST(Loco2dTest, BodiesStandAtTheHeightsOfTheirFileInEquilibrium) {
+  const loco::LocoStructure s = fixtures::paperStructure();
+  const Loco2d locomotive(fixtures::paperParameters());
+  const std::vector<loco::BodyPose> poses = locomotive.computePoses(locomotive.equilibriumState(3000.0, 5.0));
+  ASSERT_EQ(poses.size(), 9u);
+  const char* const names[] = {"car_body", "bogie_frame_1", "bogie_frame_2"};
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(poses[i].name, names[i]);
+  EXPECT_EQ(poses[8].name, "wheelset_6");
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_NEAR(poses[i].z_m, s.bodies[i].p_T.z(), 1e-9) << poses[i].name;
+    EXPECT_NEAR(poses[i].location_m, 3000.0 + s.bodies[i].p_T.x(), 1e-6) << poses[i].name;
+    EXPECT_NEAR(poses[i].pitch_rad, 0.0, 1e-9) << poses[i].name;
+  }
 }
 
 }  // namespace

@@ -175,7 +175,6 @@ int runOffline(const std::vector<std::string>& command_line, const BagFactory& b
     return runAll(arguments, arguments.bag ? bag_factory : BagFactory());
   } catch (const rail::ConfigError& error) {
     std::cerr << error.what() << '\n';
-    if (std::filesystem::exists(arguments.out + "/outcome.yaml")) writeRefusal(arguments.out, error.what());
     return 2;
   } catch (const std::exception& error) {
     std::cerr << "ltd_offline: " << error.what() << '\n';

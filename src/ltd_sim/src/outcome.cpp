@@ -2,6 +2,19 @@
 
 namespace ltd {
 
+int Outcome::exitStatus() const {
+  switch (kind) {
+    case Kind::kFinished:
+      return 0;
+    case Kind::kRefused:
+      return 2;
+    case Kind::kStopped:
+      return 3;
+    default:
+      return 1;
+  }
+}
+
 std::string toString(Outcome::Kind kind) {
   switch (kind) {
     case Outcome::Kind::kRunning:
@@ -12,6 +25,8 @@ std::string toString(Outcome::Kind kind) {
       return "stopped";
     case Outcome::Kind::kFailed:
       return "failed";
+    case Outcome::Kind::kRefused:
+      return "refused";
   }
   return "unknown";
 }

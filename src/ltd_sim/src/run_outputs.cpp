@@ -36,16 +36,16 @@ RunOutputs::RunOutputs(const Scenario& scenario, const std::string& folder) : sc
 }
 
 void removeOutputs(const std::string& folder) {
-  for (const char* name :
-       {"outcome.yaml", "scenario.resolved.yaml", "summary.csv", "timeseries.csv", "energy_sections.csv"})
+  for (const char* name : {"outcome.yaml", "outcome.before.yaml", "scenario.resolved.yaml", "summary.csv",
+                           "timeseries.csv", "energy_sections.csv"})
     std::remove((folder + "/" + name).c_str());
 }
 
-void writeRefusal(const std::string& folder, const std::string& reason) {
+void writeRefusal(const std::string& folder, Outcome::Kind kind, const std::string& reason) {
   makeDirectories(folder);
-  removeOutputs(folder);
+  std::rename((folder + "/outcome.yaml").c_str(), (folder + "/outcome.before.yaml").c_str());
   Outcome outcome;
-  outcome.kind = Outcome::Kind::kFailed;
+  outcome.kind = kind;
   outcome.reason = reason;
   writeOutcome(folder, outcome, 0.0, 0.0, 0);
 }

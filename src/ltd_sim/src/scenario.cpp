@@ -178,10 +178,11 @@ void checkStep(rail::YamlReader& root, const Scenario& scenario) {
                                format(force_N / 1e6) + " MN, the sum of the locomotives' largest tractions");
 }
 
-/// The stiffest motion of each locomotive bounds the micro step.
-void checkMicroSteps(rail::YamlReader& root, const Scenario& scenario) {
+/// What each locomotive's own model refuses: the micro step above all, which its stiffest motion bounds.
+void checkLocomotives(const Scenario& scenario, rail::Problems& problems) {
+  std::string last_key;
   for (const LocoUnit& unit : scenario.train.locomotives)
-    loco::checkMicroStep(root, unit.micro_step, scenario.train.vehicles[unit.vehicle].name, scenario.micro_step);
+    if (unit.key != last_key) loco::makeLocomotive(scenario.document, last_key = unit.key, problems);
 }
 
 }  // namespace
@@ -216,7 +217,7 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   if (sections_known && track_known) checkRailSections(root, sections, scenario.track);
   if (train_known && run_known && track_known) checkPlaces(root, scenario);
   if (train_known && step_known) checkStep(root, scenario);
-  if (train_known && step_known) checkMicroSteps(root, scenario);
+  if (problems.empty()) checkLocomotives(scenario, problems);
   problems.throwIfAny();
   return scenario;
 }

@@ -53,10 +53,7 @@ class TrainBuilder {
     LocoUnit unit;
     if (locomotive) {
       unit = readLocomotive(group, reader);
-      const std::size_t problems_before = reader.problems().count();
-      const loco::LocoDetails details = loco::readLocoDetails(reader, unit.model, vehicle.mass_kg);
-      if (reader.problems().count() == problems_before)
-        unit.micro_step = loco::computeMicroStepLimit(details, unit.model);
+      loco::readLocoDetails(reader, unit.model, vehicle);
       if (loco::makesCurvingResistance(unit.model)) vehicle.resistance.curving_N_m_per_t = 0.0;
     }
     // A locomotive whose wheelsets spin in its own model has their inertia there.

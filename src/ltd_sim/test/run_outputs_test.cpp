@@ -83,4 +83,16 @@ TEST(OutcomeTest, ExitStatusTellsHowItEnded) {
   }
 }
 
+TEST_F(RunOutputsTest, ARefusalLeavesTheFilesOfTheLastRunAlone) {
+  for (const char* name : {"outcome.yaml", "summary.csv", "timeseries.csv", "scenario.resolved.yaml"})
+    write(std::string("run/") + name, name);
+  ltd::writeRefusal(path("run"), ltd::Outcome::Kind::kRefused, "steps.macro_step_s = 1: must be below");
+  const YAML::Node outcome = YAML::Load(read("run/outcome.yaml"));
+  EXPECT_EQ(outcome["outcome"].as<std::string>(), "refused");
+  EXPECT_EQ(outcome["reason"].as<std::string>(), "steps.macro_step_s = 1: must be below");
+  EXPECT_EQ(read("run/outcome.before.yaml"), "outcome.yaml");
+  for (const char* name : {"summary.csv", "timeseries.csv", "scenario.resolved.yaml"})
+    EXPECT_EQ(read(std::string("run/") + name), name);
+}
+
 }  // namespace

@@ -78,7 +78,7 @@ std::unique_ptr<loco::Locomotive> unchecked(const ltd::Scenario& scenario, rail:
   rail::YamlReader root(scenario.document, problems);
   const loco::ModelOptions options = loco::readModelOptions(root, micro_step);
   rail::YamlReader vehicle = root.map("train").maps("groups").front().map("vehicle");
-  const loco::LocoDetails details = loco::readLocoDetails(vehicle, "2d", 134000.0);
+  const loco::LocoDetails details = loco::readLocoDetails(vehicle, "2d", rail::readVehicle(vehicle));
   problems.throwIfAny();
   return std::make_unique<loco::Loco2d>(
       loco::Loco2d::Parameters{details.structure, details.contact, options.rail, options.control, 0.35, micro_step});

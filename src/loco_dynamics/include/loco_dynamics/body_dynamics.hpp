@@ -32,6 +32,11 @@ class BodyDynamics {
   std::size_t stateSize() const { return 2 * layout_.size() + suspension_.yaw_dampers.size(); }
   void pack(const BodyState& state, double* out) const;
   void unpack(const double* in, BodyState& state) const;
+  /// Positions in static equilibrium, from which poses and implausible offsets count; 0 until it is set. Springs are
+  /// without load at q = 0, the heights of the bodies' file are those in equilibrium.
+  void setRest(const BodyVector& q) { rest_ = q; }
+  const BodyVector& rest() const { return rest_; }
+
   /// Where the bodies stand in a packed state.
   std::vector<BodyPose> computePoses(const double* in) const;
 
@@ -57,6 +62,7 @@ class BodyDynamics {
   BodyLayout layout_;
   Suspension suspension_;
   SuspensionWorkspace workspace_;
+  BodyVector rest_;
 };
 
 }  // namespace loco

@@ -14,7 +14,7 @@ namespace loco {
 /// The 2D locomotive of Wu et al. 2020, Sect. 3.3: nine bodies with longitudinal, bounce and pitch motion (27 degrees
 /// of freedom), wheelsets in the middle of the track, adhesion control. What acts where: couplers on the car body at
 /// their height, propulsion and curving resistance at the car body's CoG, the grade's force on every body by its mass,
-/// the motors' torque on the wheelset and its reaction as a couple on the bogie frame.
+/// the motors' torque on the wheelset and its reaction on the bogie frame (TractionDrive).
 ///
 /// State: positions and velocities of the bodies, the yaw dampers' own displacements, the controller's state.
 class Loco2d : public Locomotive {
@@ -48,6 +48,7 @@ class Loco2d : public Locomotive {
   const Account& account() const { return account_; }
 
  private:
+  BodyVector computeEquilibrium() const;
   void addOuterForces(const LocoForce& force, BodyVector& loads) const;
   void addContactForces(double h, BodyVector& loads);
   double storedEnergy() const;
@@ -65,6 +66,7 @@ class Loco2d : public Locomotive {
     double damping_normal_N = 0.0;  ///< its part from damping
     double force_N = 0.0;           ///< of both wheels, + forward
     double slip_mps = 0.0;          ///< w = omega r - v
+    double slip_power_W = 0.0;      ///< with the mean of the old and the new slip
     double v_mps = 0.0;
   };
   std::array<Axle, BodyLayout::kAxles> axles_;  ///< in the last micro step

@@ -80,6 +80,7 @@ class Loco3d : public Locomotive {
   WheelsetMotion motionOf(std::size_t axle, const BodyState& state, const TrackFrames& frames) const;
   Placement placement() const { return {&frames_.gaps(), parameters_.gravity_stiffness}; }
   BodyVector computeSteadyLoads(const BodyState& state, const TrackFrames& frames) const;
+  BodyVector computeRest() const;
   bool onStraightTrack(const BodyState& state) const;
   void placeWheelsets(BodyState& state) const;
   void settle(BodyState& state, double speed_mps) const;

@@ -11,6 +11,7 @@
 #include "loco_dynamics/planar_contact.hpp"
 #include "loco_dynamics/step_limit.hpp"
 #include "rail_core/document.hpp"
+#include "rail_core/vehicle.hpp"
 #include "rail_core/yaml_reader.hpp"
 
 namespace loco {
@@ -51,21 +52,14 @@ struct LocoDetails {
 };
 
 /// Asks a locomotive's map for `bodies` and `contact`, which every model but 1d needs, and `profiles` (usually
-/// profiles_file), which 3d needs; checks that the bodies' masses add up to the vehicle's; leaves finish() to the
-/// caller. What a model does not need may be there and is checked.
-LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, double vehicle_mass_kg);
-
-/// The longest micro step that this locomotive bears: wheels at the tangent of their static load, pins on their stiff
-/// branch. A model without bodies has no limit.
-StepLimit computeMicroStepLimit(const LocoDetails& details, const std::string& model);
-
-/// Refuses the scenario's steps.micro_step_s if it is longer than that.
-void checkMicroStep(rail::YamlReader& root, const StepLimit& limit, const std::string& locomotive,
-                    rail::Nanoseconds micro_step);
+/// profiles_file), which 3d needs; checks that they agree with the vehicle and with each other, and that the locomotive
+/// can stand; leaves finish() to the caller. What a model does not need may be there and is checked.
+LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, const rail::Vehicle& vehicle);
 
 /// Makes the locomotive whose map stands at the dotted path `key` of a resolved scenario, e.g. train.groups.0.vehicle,
-/// with the model that its group or the scenario's root names and the options that the root gives. The whole scenario
-/// has been checked by its reader; what is needed here is checked again and goes to `problems`, then the result is
+/// with the model that its group or the scenario's root names and the options that the root gives. Refused as well: a
+/// micro step longer than this locomotive bears (wheels at the tangent of their static load, pins on their stiff
+/// branch), a controller whose loop swings up at low speed (A10). What is wrong goes to `problems`, then the result is
 /// null.
 std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const std::string& key,
                                            rail::Problems& problems);

@@ -26,6 +26,8 @@ struct LocoStructure {
   std::array<double, BodyLayout::kAxles> motor_nose_x_m{};  ///< from its axle, + forward; not 0 if it is kNose
 
   double totalMass() const;
+  /// How far the car body sinks under the weight of car body and bogie frames [m].
+  double computeStaticSag() const;
 
   /// Reads the map `bodies` of a locomotive and checks it; finishes the reader.
   static LocoStructure read(rail::YamlReader reader);

@@ -29,8 +29,10 @@ class RunOutputs : public RunObserver {
 /// Removes what RunOutputs left in a folder earlier, so that nothing stale stands beside a new outcome. Bags stay.
 void removeOutputs(const std::string& folder);
 
-/// Says in `folder`/outcome.yaml that a run was refused or broke off, after removing what an earlier run left there.
-void writeRefusal(const std::string& folder, const std::string& reason);
+/// Says in `folder`/outcome.yaml that a run was refused or broke off before it began. What an earlier run left there
+/// stays, its outcome as outcome.before.yaml: a slip of the pen must not cost the last good run.
+/// @param kind  kRefused or kFailed
+void writeRefusal(const std::string& folder, Outcome::Kind kind, const std::string& reason);
 
 /// Writes `folder`/outcome.yaml by a temporary file and rename, so that it is whole or absent.
 void writeOutcome(const std::string& folder, const Outcome& outcome, double time_s, double location_km,

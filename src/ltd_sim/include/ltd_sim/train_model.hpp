@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "loco_dynamics/step_limit.hpp"
 #include "ltd_sim/coupler.hpp"
 #include "ltd_sim/traction_characteristic.hpp"
 #include "rail_core/vehicle.hpp"
@@ -13,13 +12,12 @@ namespace ltd {
 
 /// One locomotive of the train as LTD knows it.
 struct LocoUnit {
-  std::size_t vehicle = 0;          ///< index in TrainModel::vehicles, from 0
-  std::size_t notch_group = 0;      ///< index in TrainModel::notch_groups
-  std::size_t type = 0;             ///< index in TrainModel::traction
-  double adhesion_limit = 0.0;      ///< of its weight [-]; bounds the coupler forces that a step must bear
-  std::string model;                ///< 1d, 2d, ...
-  std::string key;                  ///< dotted path of its map in the resolved scenario
-  loco::StepLimit micro_step = {};  ///< that its model bears
+  std::size_t vehicle = 0;      ///< index in TrainModel::vehicles, from 0
+  std::size_t notch_group = 0;  ///< index in TrainModel::notch_groups
+  std::size_t type = 0;         ///< index in TrainModel::traction
+  double adhesion_limit = 0.0;  ///< of its weight [-]; bounds the coupler forces that a step must bear
+  std::string model;            ///< 1d, 2d, ...
+  std::string key;              ///< dotted path of its map in the resolved scenario
 };
 
 /// The train: what does not change during a run. Vehicles count from the head; coupler i joins vehicles i and i + 1.

@@ -58,7 +58,7 @@ int leaveReason(const std::string& out, const std::string& reason, int status) {
   ROS_FATAL("%s", reason.c_str());
   if (!out.empty()) {
     try {
-      writeRefusal(out, reason);
+      writeRefusal(out, status == 2 ? Outcome::Kind::kRefused : Outcome::Kind::kFailed, reason);
     } catch (const std::exception& error) {
       ROS_FATAL("%s", error.what());
     }
