@@ -41,6 +41,7 @@ void runModel(benchmark::State& state, const std::string& scenario) {
       benchmark::Counter(rail::toSeconds(force.step_length), benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK_CAPTURE(runModel, 2d, "paper_2d");
+BENCHMARK_CAPTURE(runModel, 3d, "paper_3d");
 
 }  // namespace
 

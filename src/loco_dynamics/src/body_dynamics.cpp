@@ -91,10 +91,10 @@ std::vector<BodyPose> BodyDynamics::computePoses(const double* in) const {
   return poses;
 }
 
-void BodyDynamics::addInnerForces(BodyState& state, double h, BodyVector& loads) {
+void BodyDynamics::addInnerForces(BodyState& state, double h, BodyVector& loads, const Placement& placement) {
   for (std::size_t i = 0; i < layout_.bodies().size(); ++i)
     loads[i][kZ] -= layout_.bodies()[i].mass_kg * rail::kGravity_mps2;
-  addSuspensionForces(suspension_, state.q, state.v, h, state.damper_x_m.data(), workspace_, loads);
+  addSuspensionForces(suspension_, state.q, state.v, h, placement, state.damper_x_m.data(), workspace_, loads);
 }
 
 std::string BodyDynamics::step(const BodyVector& loads, double h, BodyState& state) const {
@@ -110,10 +110,15 @@ std::string BodyDynamics::step(const BodyVector& loads, double h, BodyState& sta
   return findImplausible(layout_, state.q, rest_);
 }
 
-double BodyDynamics::computeDampingWork(const BodyVector& v_old, const BodyVector& v_new, double h) const {
+double BodyDynamics::computeDampingWork(const BodyVector& v_old, const BodyVector& v_new, double h,
+                                        const Placement& placement) const {
   BodyVector v_mean;
   for (std::size_t i = 0; i < v_mean.size(); ++i) v_mean[i] = 0.5 * (v_old[i] + v_new[i]);
-  return loco::computeDampingWork(suspension_, v_mean, h, workspace_);
+  return loco::computeDampingWork(suspension_, v_mean, h, placement, workspace_);
+}
+
+double BodyDynamics::computeElementWork(const BodyVector& v_mean, double h, const Placement& placement) const {
+  return loco::computeElementWork(suspension_, v_mean, h, placement, workspace_);
 }
 
 double BodyDynamics::computeKineticEnergy(const BodyVector& v) const {
@@ -126,8 +131,8 @@ double BodyDynamics::computeKineticEnergy(const BodyVector& v) const {
   return energy;
 }
 
-double BodyDynamics::computeStoredEnergy(const BodyState& state) const {
-  double energy = loco::computeStoredEnergy(suspension_, state.q, state.damper_x_m.data());
+double BodyDynamics::computeStoredEnergy(const BodyState& state, const Placement& placement) const {
+  double energy = loco::computeStoredEnergy(suspension_, state.q, placement, state.damper_x_m.data());
   for (std::size_t i = 0; i < layout_.bodies().size(); ++i)
     energy += layout_.bodies()[i].mass_kg * rail::kGravity_mps2 * state.q[i][kZ];
   return energy;

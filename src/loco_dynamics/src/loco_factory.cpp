@@ -9,7 +9,10 @@
 #include "loco_dynamics/contact/creepage.hpp"
 #include "loco_dynamics/loco_1d.hpp"
 #include "loco_dynamics/loco_2d.hpp"
+#include "loco_dynamics/loco_3d.hpp"
+#include "loco_dynamics/profile/contact_search.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/track.hpp"
 #include "rail_core/vehicle.hpp"
 
 namespace loco {
@@ -41,10 +44,53 @@ rail::YamlReader readerAt(const rail::Document& document, const std::string& pat
   return reader;
 }
 
+std::shared_ptr<const ContactFinder> readFinder(rail::YamlReader reader, double wheel_radius_m) {
+  const std::size_t before = reader.problems().count();
+  const WheelRailGeometry geometry = WheelRailGeometry::read(reader, wheel_radius_m);
+  if (reader.problems().count() != before) return nullptr;
+  return std::make_shared<const ContactFinderOf<ContactSearch>>(ContactSearch(geometry));
+}
+
+/// The scenario's track, where a bogie's rigid wheelbase fits into all curves.
+std::shared_ptr<const rail::Track> readTrack(rail::YamlReader& root, const LocoStructure& structure) {
+  const std::size_t before = root.problems().count();
+  auto track = std::make_shared<const rail::Track>(rail::Track::read(root.map("track")));
+  if (root.problems().count() != before) return nullptr;
+  constexpr double kLargestOffset_m = 0.015;  // chosen: as much as flanges have play between the rails
+  const double wheelbase_m = structure.bodies[BodyLayout::wheelset(0)].p_T.x() -
+                             structure.bodies[BodyLayout::wheelset(BodyLayout::kAxlesPerBogie - 1)].p_T.x();
+  const double smallest_m = wheelbase_m * wheelbase_m / (8.0 * kLargestOffset_m);
+  if (track->largestCurvature() * smallest_m > 1.0) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "has a curve of %.4g m radius; a bogie with a wheelbase of %.4g m needs at least %.4g m",
+                  1.0 / track->largestCurvature(), wheelbase_m, smallest_m);
+    root.refuse("track", text);
+    return nullptr;
+  }
+  return track;
+}
+
+std::unique_ptr<Locomotive> makeLoco3d(rail::YamlReader& root, const LocoDetails& details, const ModelOptions& options,
+                                       double adhesion_limit, rail::Nanoseconds micro_step) {
+  Loco3d::Parameters p;
+  p.structure = details.structure;
+  p.track = readTrack(root, details.structure);
+  if (p.track == nullptr) return nullptr;
+  p.finder = details.finder;
+  p.contact = {details.structure.wheel_radius_m, details.contact.normal_damping_N_s_per_m, details.contact.elasticity,
+               details.contact.shear_modulus_Pa};
+  p.rail = options.rail;
+  p.control = options.control;
+  p.adhesion_limit = adhesion_limit;
+  p.micro_step = micro_step;
+  return std::make_unique<Loco3d>(p);
+}
+
 }  // namespace
 
 const std::vector<std::string>& knownModels() {
-  static const std::vector<std::string> models = {"1d", "2d"};
+  static const std::vector<std::string> models = {"1d", "2d", "3d"};
   return models;
 }
 
@@ -59,6 +105,8 @@ std::string readModelOr(rail::YamlReader& group, const std::string& scenario_mod
 }
 
 bool hasContacts(const std::string& model) { return model != "1d"; }
+
+bool makesCurvingResistance(const std::string& model) { return model == "3d"; }
 
 ModelOptions readModelOptions(rail::YamlReader& root, rail::Nanoseconds micro_step) {
   ModelOptions options;
@@ -112,10 +160,12 @@ void checkRelations(rail::YamlReader& reader, const rail::Vehicle& vehicle, cons
 
 LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, const rail::Vehicle& vehicle) {
   LocoDetails details;
-  if (!hasContacts(model) && !reader.has("bodies") && !reader.has("contact")) return details;
+  if (!hasContacts(model) && !reader.has("bodies") && !reader.has("contact") && !reader.has("profiles")) return details;
   const std::size_t problems_before = reader.problems().count();
   details.structure = LocoStructure::read(reader.map("bodies"));
   details.contact = PlanarContact::read(reader.map("contact"), details.structure.wheel_radius_m);
+  if (model == "3d" || reader.has("profiles"))
+    details.finder = readFinder(reader.map("profiles"), details.structure.wheel_radius_m);
   if (reader.problems().count() == problems_before) checkRelations(reader, vehicle, details);
   return details;
 }
@@ -189,6 +239,7 @@ std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const
     checkMicroStep(root, computeMicroStepLimit(details), vehicle.name, micro_step);
   if (problems.count() == problems_before) checkController(root, options.control, details.structure, micro_step);
   if (problems.count() != problems_before) return nullptr;
+  if (model == "3d") return makeLoco3d(root, details, options, adhesion_limit, micro_step);
   return std::make_unique<Loco2d>(Loco2d::Parameters{details.structure, details.contact, options.rail, options.control,
                                                      adhesion_limit, micro_step});
 }

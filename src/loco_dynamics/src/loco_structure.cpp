@@ -28,7 +28,8 @@ Vector3d readDamping(rail::YamlReader reader) {
   return damping;
 }
 
-/// A law as a list of pieces, each but the last with the argument at which it ends.
+/// A law as a list of pieces, each but the last with the argument at which it ends and, where the slope changes along
+/// it, the slope there.
 OddLaw readLaw(rail::YamlReader& reader, const std::string& key, const std::string& up_to, const std::string& slope) {
   std::vector<rail::YamlReader> maps = reader.maps(key);
   if (maps.empty() && reader.has(key)) reader.refuse(key, "must have at least one piece");
@@ -37,7 +38,11 @@ OddLaw readLaw(rail::YamlReader& reader, const std::string& key, const std::stri
   for (std::size_t i = 0; i < maps.size(); ++i) {
     LawPiece piece;
     piece.slope = maps[i].number(slope, rail::notNegative());
-    if (i + 1 < maps.size()) last = piece.up_to = maps[i].number(up_to, rail::above(last));
+    if (i + 1 < maps.size()) {
+      last = piece.up_to = maps[i].number(up_to, rail::above(last));
+      const std::string slope_at_end = "end_" + slope;
+      if (maps[i].has(slope_at_end)) piece.slope_rise = maps[i].number(slope_at_end, rail::notNegative()) - piece.slope;
+    }
     maps[i].finish();
     pieces.push_back(piece);
   }
@@ -88,6 +93,7 @@ class StructureReader {
 
     rail::YamlReader sets = reader_.map("wheelsets");
     const Body wheelset = readBody(sets, "spin_inertia_kg_m2", out_.wheel_radius_m);
+    out_.spin_momentum_inertia_kg_m2 = sets.number("spin_momentum_inertia_kg_m2", rail::notNegative());
     const std::vector<double> axle_x_m = sets.numbers("x_m", rail::anyNumber());
     if (axle_x_m.size() != BodyLayout::kAxlesPerBogie) sets.refuse("x_m", "must be three places, from the front");
     for (std::size_t i = 1; i < axle_x_m.size(); ++i)
@@ -169,12 +175,13 @@ class StructureReader {
     const double x_m = reader.number("x_m", rail::positive());
     const double z_m = reader.number("z_m", rail::positive());
     const OddLaw longitudinal = readLaw(reader, "longitudinal", "up_to_m", "slope_N_per_m");
+    const OddLaw lateral = readLaw(reader, "lateral", "up_to_m", "slope_N_per_m");
     reader.finish();
     for (std::size_t i = 0; i < BodyLayout::kBogies; ++i) {
       const std::size_t bogie = BodyLayout::bogie(i);
       const Vector3d p(i == 0 ? x_m : -x_m, 0.0, z_m);
       out_.suspension.pins.push_back(
-          {BodyLayout::kCar, bogie, from(BodyLayout::kCar, p), from(bogie, p), longitudinal, OddLaw()});
+          {BodyLayout::kCar, bogie, from(BodyLayout::kCar, p), from(bogie, p), longitudinal, lateral});
     }
   }
 

@@ -15,6 +15,12 @@ Vector6 withoutSpin(Vector6 x) {
   return x;
 }
 
+/// Where the frames' gap puts a point of A, in B's frame.                                                  (S3)
+Eigen::Vector3d gapMotion(const FrameGap::Parts& g, const Eigen::Vector3d& p_A) {
+  return {-g.heading_rad * p_A.y(), g.lateral_m + g.heading_rad * p_A.x() - g.roll_rad * p_A.z(),
+          g.height_m + g.roll_rad * p_A.y()};
+}
+
 template <typename Element>
 Eigen::Vector3d relativeMotion(const Element& e, const BodyVector& x) {
   return pointDisplacement(x[e.body_A], e.r_A) - pointDisplacement(x[e.body_B], e.r_B);
@@ -25,10 +31,63 @@ Eigen::Vector3d relativeMotion(const SpringDamper& e, const BodyVector& x) {
   return pointDisplacement(a, e.r_A) - pointDisplacement(x[e.body_B], e.r_B);
 }
 
-void addPair(std::size_t body_A, const Eigen::Vector3d& r_A, std::size_t body_B, const Eigen::Vector3d& r_B,
-             const Eigen::Vector3d& F_on_A, BodyVector& loads) {
-  addForce(loads[body_A], F_on_A, r_A);
-  addForce(loads[body_B], -F_on_A, r_B);
+template <typename Element>
+Eigen::Vector3d pointInFrame(const Element& e, const FrameGap& gap) {
+  return e.r_A + Eigen::Vector3d(0.0, 0.0, gap.cog_height_A_m);
+}
+
+/// Deflection of an element, from the bodies' displacements and the frames' gap.
+template <typename Element>
+Eigen::Vector3d deflection(const Element& e, const BodyVector& q, const Placement& placement) {
+  if (placement.gaps == nullptr) return relativeMotion(e, q);
+  const FrameGap& gap = (*placement.gaps)[gapIndex(e.body_A, e.body_B)];
+  return relativeMotion(e, q) + gapMotion(gap.at, pointInFrame(e, gap));
+}
+
+/// Its rate, from the bodies' velocities.
+template <typename Element>
+Eigen::Vector3d deflectionRate(const Element& e, const BodyVector& v, const Placement& placement) {
+  if (placement.gaps == nullptr) return relativeMotion(e, v);
+  const FrameGap& gap = (*placement.gaps)[gapIndex(e.body_A, e.body_B)];
+  return relativeMotion(e, v) + gapMotion(gap.rate, pointInFrame(e, gap));
+}
+
+constexpr bool spins(const SpringDamper& e) { return e.spins_A; }
+template <typename Element>
+constexpr bool spins(const Element&) {
+  return false;
+}
+
+/// A force with its moment about the body's CoG; an axlebox takes no moment about its axle.
+void addAt(Vector6& load, const Eigen::Vector3d& F, const Eigen::Vector3d& r, bool axlebox) {
+  load.head<3>() += F;
+  Eigen::Vector3d moment = r.cross(F);
+  if (axlebox) moment.y() = 0.0;
+  load.tail<3>() += moment;
+}
+
+/// Adds the force F on A, in the axes of B, and its reaction.                                              (S3)
+template <typename Element>
+void addPair(const Element& e, const Eigen::Vector3d& F, const BodyVector& q, const Placement& placement,
+             BodyVector& loads) {
+  Eigen::Vector3d F_on_A = F, F_on_B = -F, r_A = e.r_A, r_B = e.r_B;
+  if (placement.gaps != nullptr) {
+    const FrameGap::Parts& g = (*placement.gaps)[gapIndex(e.body_A, e.body_B)].at;
+    const double yaw_B = q[e.body_B][kYaw];
+    F_on_B.y() -= F.x() * yaw_B;
+    const double F_y = F.y() + F.x() * (yaw_B - g.heading_rad);
+    F_on_A.y() = F_y + F.z() * g.roll_rad;
+    F_on_A.z() = F.z() - F_y * g.roll_rad;
+  }
+  if (placement.at_displaced_points) {  // both forces in one line, half-way between the displaced ends
+    const Eigen::Vector3d d = deflection(e, q, placement);
+    const Eigen::Vector2d on_A(spins(e) ? 0.0 : 0.5 * d.x(), 0.5 * d.y());  // an axlebox's stay above its axle
+    const Vector6 a = spins(e) ? withoutSpin(q[e.body_A]) : q[e.body_A];
+    r_A.head<2>() += a.tail<3>().cross(e.r_A).template head<2>() - on_A;
+    r_B.head<2>() += q[e.body_B].template tail<3>().cross(e.r_B).template head<2>() + d.head<2>() - on_A;
+  }
+  addAt(loads[e.body_A], F_on_A, r_A, spins(e));
+  addAt(loads[e.body_B], F_on_B, r_B, false);
 }
 
 /// The speed u of a damper whose force D(u) is that of the spring in series, K (e - h u), e its stretch if u were 0.
@@ -45,102 +104,71 @@ double solveDamperSpeed(const OddLaw& D, double K, double e, double h) {
 
 }  // namespace
 
-double OddLaw::operator()(double x) const {
-  const double ax = std::abs(x);
-  double from = 0.0, value = 0.0;
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const bool last = i + 1 == pieces_.size() || ax <= pieces_[i].up_to;
-    const double to = last ? ax : pieces_[i].up_to;
-    value += pieces_[i].slope * (to - from);
-    if (last) break;
-    from = to;
-  }
-  return x < 0.0 ? -value : value;
-}
-
-double OddLaw::slope(double x) const {
-  const double ax = std::abs(x);
-  for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
-    if (ax <= pieces_[i].up_to) return pieces_[i].slope;
-  }
-  return pieces_.empty() ? 0.0 : pieces_.back().slope;
-}
-
-double OddLaw::integral(double x) const {
-  const double ax = std::abs(x);
-  double from = 0.0, value = 0.0, sum = 0.0;
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const bool last = i + 1 == pieces_.size() || ax <= pieces_[i].up_to;
-    const double length = (last ? ax : pieces_[i].up_to) - from;
-    sum += value * length + 0.5 * pieces_[i].slope * length * length;
-    if (last) break;
-    value += pieces_[i].slope * length;
-    from += length;
-  }
-  return sum;
-}
-
-double OddLaw::largestSlope() const {
-  double largest = 0.0;
-  for (const LawPiece& piece : pieces_) largest = std::max(largest, piece.slope);
-  return largest;
-}
-
 void addSuspensionForces(const Suspension& suspension, const BodyVector& q, const BodyVector& v, double step_s,
-                         double* damper_x_m, SuspensionWorkspace& workspace, BodyVector& loads) {
+                         const Placement& placement, double* damper_x_m, SuspensionWorkspace& workspace,
+                         BodyVector& loads) {
   for (std::size_t i = 0; i < suspension.springs.size(); ++i) {
     const SpringDamper& e = suspension.springs[i];
-    const Eigen::Vector3d damping = -e.damping_N_s_per_m.cwiseProduct(relativeMotion(e, v));
-    const Eigen::Vector3d F_on_A = damping - e.stiffness_N_per_m.cwiseProduct(relativeMotion(e, q));  // (S1)
+    const Eigen::Vector3d damping = -e.damping_N_s_per_m.cwiseProduct(deflectionRate(e, v, placement));
+    const Eigen::Vector3d spring = -e.stiffness_N_per_m.cwiseProduct(deflection(e, q, placement));
     workspace.damping_on_A_N[i] = damping;
-    if (e.spins_A) {  // the force acts on the axlebox: no moment about the axle
-      loads[e.body_A].head<3>() += F_on_A;
-      Eigen::Vector3d moment = e.r_A.cross(F_on_A);
-      moment.y() = 0.0;
-      loads[e.body_A].tail<3>() += moment;
-      addForce(loads[e.body_B], -F_on_A, e.r_B);
-    } else {
-      addPair(e.body_A, e.r_A, e.body_B, e.r_B, F_on_A, loads);
-    }
+    workspace.spring_on_A_N[i] = spring;
+    addPair(e, damping + spring, q, placement, loads);  // (S1)
   }
-  for (const CentrePin& e : suspension.pins) {
-    const Eigen::Vector3d d = relativeMotion(e, q);
-    addPair(e.body_A, e.r_A, e.body_B, e.r_B, {-e.longitudinal(d.x()), -e.lateral(d.y()), 0.0}, loads);
+  for (std::size_t i = 0; i < suspension.pins.size(); ++i) {
+    const CentrePin& e = suspension.pins[i];
+    const Eigen::Vector3d d = deflection(e, q, placement);
+    workspace.pin_on_A_N[i] = {-e.longitudinal(d.x()), -e.lateral(d.y()), 0.0};
+    addPair(e, workspace.pin_on_A_N[i], q, placement, loads);
   }
   for (std::size_t i = 0; i < suspension.yaw_dampers.size(); ++i) {
     const YawDamper& e = suspension.yaw_dampers[i];
-    const double d = relativeMotion(e, q).x();
+    const double d = deflection(e, q, placement).x();
     const double u = solveDamperSpeed(e.damper, e.series_stiffness_N_per_m, d - damper_x_m[i], step_s);  // (S2)
     damper_x_m[i] += step_s * u;
     workspace.damper_speed_mps[i] = u;
     workspace.damper_force_N[i] = e.damper(u);
-    addPair(e.body_A, e.r_A, e.body_B, e.r_B, {-workspace.damper_force_N[i], 0.0, 0.0}, loads);
+    addPair(e, {-workspace.damper_force_N[i], 0.0, 0.0}, q, placement, loads);
   }
 }
 
 double computeDampingWork(const Suspension& suspension, const BodyVector& v_mean, double step_s,
-                          const SuspensionWorkspace& workspace) {
+                          const Placement& placement, const SuspensionWorkspace& workspace) {
   double work = 0.0;
   for (std::size_t i = 0; i < suspension.springs.size(); ++i)
-    work -= workspace.damping_on_A_N[i].dot(relativeMotion(suspension.springs[i], v_mean));
+    work -= workspace.damping_on_A_N[i].dot(deflectionRate(suspension.springs[i], v_mean, placement));
   for (std::size_t i = 0; i < suspension.yaw_dampers.size(); ++i)
     work += workspace.damper_force_N[i] * workspace.damper_speed_mps[i];
   return work * step_s;
 }
 
-double computeStoredEnergy(const Suspension& suspension, const BodyVector& q, const double* damper_x_m) {
+double computeElementWork(const Suspension& suspension, const BodyVector& v_mean, double step_s,
+                          const Placement& placement, const SuspensionWorkspace& workspace) {
+  double work = 0.0;
+  for (std::size_t i = 0; i < suspension.springs.size(); ++i)
+    work += (workspace.damping_on_A_N[i] + workspace.spring_on_A_N[i])
+                .dot(deflectionRate(suspension.springs[i], v_mean, placement));
+  for (std::size_t i = 0; i < suspension.pins.size(); ++i)
+    work += workspace.pin_on_A_N[i].dot(deflectionRate(suspension.pins[i], v_mean, placement));
+  for (std::size_t i = 0; i < suspension.yaw_dampers.size(); ++i)
+    work -= workspace.damper_force_N[i] * deflectionRate(suspension.yaw_dampers[i], v_mean, placement).x();
+  return work * step_s;
+}
+
+double computeStoredEnergy(const Suspension& suspension, const BodyVector& q, const Placement& placement,
+                           const double* damper_x_m) {
   double energy = 0.0;
   for (const SpringDamper& e : suspension.springs) {
-    const Eigen::Vector3d d = relativeMotion(e, q);
+    const Eigen::Vector3d d = deflection(e, q, placement);
     energy += 0.5 * e.stiffness_N_per_m.dot(d.cwiseProduct(d));
   }
   for (const CentrePin& e : suspension.pins) {
-    const Eigen::Vector3d d = relativeMotion(e, q);
+    const Eigen::Vector3d d = deflection(e, q, placement);
     energy += e.longitudinal.integral(d.x()) + e.lateral.integral(d.y());
   }
   for (std::size_t i = 0; i < suspension.yaw_dampers.size(); ++i) {
     const YawDamper& e = suspension.yaw_dampers[i];
-    const double stretch = relativeMotion(e, q).x() - damper_x_m[i];
+    const double stretch = deflection(e, q, placement).x() - damper_x_m[i];
     energy += 0.5 * e.series_stiffness_N_per_m * stretch * stretch;
   }
   return energy;

@@ -24,7 +24,8 @@ Eigen::VectorXd forces(const loco::LocoStructure& s, const LinearModel& model, c
   loco::SuspensionWorkspace workspace(s.suspension);
   std::vector<double> damper_x(s.suspension.yaw_dampers.size(), 0.0);
   BodyVector loads = zero();
-  loco::addSuspensionForces(s.suspension, q, v, 1e-12, damper_x.data(), workspace, loads);  // dampers: u = k_s d/c_s
+  // dampers: u = k_s d/c_s
+  loco::addSuspensionForces(s.suspension, q, v, 1e-12, {}, damper_x.data(), workspace, loads);
   Eigen::VectorXd out(model.size());
   for (Eigen::Index i = 0; i < model.size(); ++i) {
     const loco::Coordinate& c = model.coordinates[static_cast<std::size_t>(i)];

@@ -70,11 +70,12 @@ TEST(LocoFactoryTest, RefusesAModelThatDoesNotExistAndAPathThatLeadsNowhere) {
   EXPECT_NE(problems.lines()[1].find("has no entry 9"), std::string::npos);
 }
 
-/// What is refused of the paper's 2D locomotive with this in its scenario, without the file's name.
-std::vector<std::string> faultsOfThePapersLocomotive(const std::vector<rail::Override>& overrides) {
+/// What is refused of the paper's 2D (or 3D) locomotive with this in its scenario, without the file's name.
+std::vector<std::string> faultsOfThePapersLocomotive(const std::vector<rail::Override>& overrides,
+                                                     const std::string& scenario = "paper_2d") {
   rail::Problems problems;
   const rail::Document document =
-      rail::Document::load(std::string(CONFIG_DIR) + "/scenarios/paper_2d.yaml", overrides, problems);
+      rail::Document::load(std::string(CONFIG_DIR) + "/scenarios/" + scenario + ".yaml", overrides, problems);
   const auto locomotive = loco::makeLocomotive(document, "train.groups.0.vehicle", problems);
   EXPECT_EQ(locomotive == nullptr, !problems.empty());
   std::vector<std::string> lines = problems.lines();
@@ -106,6 +107,40 @@ TEST(LocoFactoryTest, FaultsInBodiesContactAdhesionAndControlAreToldAtOnce) {
                                                   {"adhesion.reduction.k0", "1.1"},
                                                   {"control.slip_limit", "1.1"}});
   EXPECT_EQ(lines.size(), 4u);
+}
+
+TEST(LocoFactoryTest, MakesThePapers3dLocomotive) {
+  rail::Problems problems;
+  const rail::Document document =
+      rail::Document::load(std::string(CONFIG_DIR) + "/scenarios/paper_3d.yaml", {}, problems);
+  const auto locomotive = loco::makeLocomotive(document, "train.groups.0.vehicle", problems);
+  ASSERT_NE(locomotive, nullptr) << problems.lines().front();
+  loco::LocoForce force;
+  force.step_length = 2000000;
+  loco::LocoTraction answer;
+  locomotive->step(locomotive->equilibriumState(3000.0, 5.0), force, answer);
+  EXPECT_EQ(answer.failure, "");
+  EXPECT_EQ(answer.adhesion.contacts.size(), 12u);
+  EXPECT_EQ(locomotive->computePoses(answer.state).size(), 9u);
+}
+
+TEST(LocoFactoryTest, ACurveTooTightForABogieIsRefused) {
+  const auto lines = faultsOfThePapersLocomotive({{"track.curves.0.radius_m", "110"}}, "paper_3d");
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines.front().find("has a curve of 110 m radius; a bogie with a wheelbase of 3.7 m needs at least 114.1 m"),
+            std::string::npos)
+      << lines.front();
+}
+
+TEST(LocoFactoryTest, A3dLocomotiveWithoutSoundProfilesIsRefused) {
+  const auto lines = faultsOfThePapersLocomotive({{"train.groups.0.vehicle.profiles.gauge_mm", "1300"}}, "paper_3d");
+  EXPECT_FALSE(lines.empty());
+}
+
+TEST(LocoFactoryTest, Only3dMakesItsCurvingResistanceItself) {
+  EXPECT_FALSE(loco::makesCurvingResistance("1d"));
+  EXPECT_FALSE(loco::makesCurvingResistance("2d"));
+  EXPECT_TRUE(loco::makesCurvingResistance("3d"));
 }
 
 TEST(LocoFactoryTest, WhatNoLocomotiveCanBeIsRefusedWithItsKey) {

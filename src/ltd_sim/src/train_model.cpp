@@ -49,11 +49,12 @@ class TrainBuilder {
     const int count = group.integer("count", 1, static_cast<int>(kMostVehicles));
     const std::size_t coupler = group.has("coupler") ? addCoupler(group.map("coupler")) : default_coupler;
     rail::YamlReader reader = group.map("vehicle");
-    const rail::Vehicle vehicle = rail::readVehicle(reader);
+    rail::Vehicle vehicle = rail::readVehicle(reader);
     LocoUnit unit;
     if (locomotive) {
       unit = readLocomotive(group, reader);
       loco::readLocoDetails(reader, unit.model, vehicle);
+      if (loco::makesCurvingResistance(unit.model)) vehicle.resistance.curving_N_m_per_t = 0.0;
     }
     // A locomotive whose wheelsets spin in its own model has their inertia there.
     const bool rotary_inertia = rotary_inertia_ && !(locomotive && loco::hasContacts(unit.model));

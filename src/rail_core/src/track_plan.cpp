@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -29,6 +31,17 @@ void Track::buildCant() {
     const double length_m = pieces_[i + 1].s_m - piece.s_m;
     integral_m2 += (piece.left_cant_m + 0.5 * piece.left_cant_slope * length_m) * length_m;
   }
+}
+
+double Track::largestCurvature() const {
+  double largest_1pm = 0.0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const Piece& piece = pieces_[i];
+    const double length_m = i + 1 < pieces_.size() ? pieces_[i + 1].s_m - piece.s_m : 0.0;
+    largest_1pm = std::max({largest_1pm, std::abs(piece.curvature_1pm),
+                            std::abs(piece.curvature_1pm + piece.curvature_slope_1pm2 * length_m)});
+  }
+  return largest_1pm;
 }
 
 TrackStretch Track::stretch(double from_m, double to_m, std::size_t& hint) const {

@@ -40,18 +40,21 @@ class BodyDynamics {
   /// Where the bodies stand in a packed state.
   std::vector<BodyPose> computePoses(const double* in) const;
 
-  /// Adds gravity and the suspension's forces at this state; see addSuspensionForces for damper_x_m.
-  void addInnerForces(BodyState& state, double h, BodyVector& loads);
+  /// Adds gravity (straight down) and the suspension's forces at this state; see addSuspensionForces for damper_x_m.
+  void addInnerForces(BodyState& state, double h, BodyVector& loads, const Placement& placement = {});
 
   /// Takes the step (B1). @return empty, or the body and degree of freedom whose velocity is not a number, or that is
   /// more than 1 m or 1 rad from its place
   std::string step(const BodyVector& loads, double h, BodyState& state) const;
 
   /// Energy that the suspension's dampers took in the step just done [J], between these velocities.
-  double computeDampingWork(const BodyVector& v_old, const BodyVector& v_new, double h) const;
+  double computeDampingWork(const BodyVector& v_old, const BodyVector& v_new, double h,
+                            const Placement& placement = {}) const;
+  /// Work of the suspension's elements along their own deflections in that step [J].
+  double computeElementWork(const BodyVector& v_mean, double h, const Placement& placement) const;
   double computeKineticEnergy(const BodyVector& v) const;
   /// Elastic energy of the suspension and potential energy of gravity [J].
-  double computeStoredEnergy(const BodyState& state) const;
+  double computeStoredEnergy(const BodyState& state, const Placement& placement = {}) const;
   /// Mean of a velocity along the track over all mass: speed of the centre of gravity [m/s]; of q: its chainage [m].
   double centreOfGravity(const BodyVector& x) const;
 

@@ -5,6 +5,7 @@
 
 #include "adhesion_control/controller_factory.hpp"
 #include "loco_dynamics/contact/rail_conditions.hpp"
+#include "loco_dynamics/contact_finder.hpp"
 #include "loco_dynamics/loco_structure.hpp"
 #include "loco_dynamics/locomotive.hpp"
 #include "loco_dynamics/planar_contact.hpp"
@@ -26,6 +27,9 @@ std::string readModelOr(rail::YamlReader& group, const std::string& scenario_mod
 /// True if the model computes its bodies and contacts itself, so that it needs `adhesion`, `control`, `bodies`.
 bool hasContacts(const std::string& model);
 
+/// True if its wheels make the curving resistance themselves, so that Eq. (6) must not be added: 3d.
+bool makesCurvingResistance(const std::string& model);
+
 /// Asks a locomotive's map for adhesion_limit: largest traction over weight [-]; leaves finish() to the caller.
 double readAdhesionLimit(rail::YamlReader& reader);
 
@@ -43,11 +47,13 @@ ModelOptions readModelOptions(rail::YamlReader& root, rail::Nanoseconds micro_st
 /// What a locomotive's own map says of its bodies and contacts.
 struct LocoDetails {
   LocoStructure structure;
-  PlanarContact::Parameters contact;
+  PlanarContact::Parameters contact;            ///< its geometry is the 2D model's, its material that of all
+  std::shared_ptr<const ContactFinder> finder;  ///< from `profiles`; null if they are not there
 };
 
-/// Asks a locomotive's map for `bodies` and `contact`, which every model but 1d needs, and checks that they agree with
-/// the vehicle and with each other, and that the locomotive can stand; leaves finish() to the caller.
+/// Asks a locomotive's map for `bodies` and `contact`, which every model but 1d needs, and `profiles` (usually
+/// profiles_file), which 3d needs; checks that they agree with the vehicle and with each other, and that the locomotive
+/// can stand; leaves finish() to the caller. What a model does not need may be there and is checked.
 LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, const rail::Vehicle& vehicle);
 
 /// Makes the locomotive whose map stands at the dotted path `key` of a resolved scenario, e.g. train.groups.0.vehicle,

@@ -18,6 +18,7 @@ enum class MotorReaction {
 /// The same for the models of 27 and of 54 degrees of freedom. Constant.
 struct LocoStructure {
   double wheel_radius_m = 0.0;
+  double spin_momentum_inertia_kg_m2 = 0.0;  ///< of a wheelset alone: what makes its gyroscopic moments
   double coupler_x_m = 0.0, coupler_z_m = 0.0;
   std::vector<Body> bodies;
   Suspension suspension;

@@ -85,6 +85,7 @@ class Track {
   double end_m() const { return end_m_; }
   double largestGrade() const;
   double smallestGrade() const;
+  double largestCurvature() const;  ///< magnitude of that of the tightest curve; 0 if all is straight
 
  private:
   /// From its s on, to that of the next piece. The last piece starts at the track's end and has no end.

@@ -11,7 +11,7 @@ namespace loco {
 ///   F/(mu N) = (4/pi) {2H (s0 - s0^3/3) - H^2 (t0 + s0 c0)/2 + H^3 s0/6 + (4/3) (I4(pi/2) - I4(t0))},
 ///   I4(t) = 3t/8 + sin(2t)/4 + sin(4t)/32
 /// @param x  k G pi a b C11 |xi_x|/(4 mu N) for longitudinal creep, >= 0; full slip at 8/3
-/// @return F/(mu N), 0 to 1; 32x/(9 pi) for small x
+/// @return F/(mu N), 0 to 1; 4x/pi for small x
 double computeClosedForm(double x);
 
 struct PlaneForce {

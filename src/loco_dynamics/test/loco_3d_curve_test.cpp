@@ -1,0 +1,198 @@
+// The 3D locomotive in R300 on S1002 wheels and UIC60 rails.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "loco_3d_fixtures.hpp"
+#include "loco_dynamics/profile/contact_search.hpp"
+#include "rail_core/testing/verification.hpp"
+
+namespace {
+
+using fixtures::Ride3d;
+using loco::BodyLayout;
+using loco::Loco3d;
+
+constexpr double kKappa_1pm = 1.0 / 300.0, kSpeed_mps = 8.85, kMass_kg = 134000.0, kGravity_mps2 = 9.81;
+
+Loco3d::Parameters onProfiles(const std::string& direction = "left", double cant_mm = 0.0) {
+  Loco3d::Parameters p = fixtures::paperParameters3d();
+  static const auto finder = fixtures::finderOf(loco::ContactSearch(loco::WheelRailGeometry()));
+  p.finder = finder;
+  p.track = fixtures::makeTrack(direction, cant_mm);
+  return p;
+}
+
+struct WheelForces {
+  double lateral_N = 0.0, left_N = 0.0, right_N = 0.0;
+};
+
+WheelForces sumOf(const loco::LocoTraction& answer) {
+  WheelForces sum;
+  for (const loco::AxleAdhesion& axle : answer.adhesion.axles) {
+    sum.lateral_N += axle.lateral_force_N[0] + axle.lateral_force_N[1];
+    sum.left_N += axle.vertical_force_N[0];
+    sum.right_N += axle.vertical_force_N[1];
+  }
+  return sum;
+}
+
+TEST(Loco3dCurveTest, TheRailsTurnItWithItsMassTimesTheAcceleration) {
+  Ride3d ride(onProfiles(), kSpeed_mps, 3450.0);
+  ride.run(0.2);
+  const double expected_N = kMass_kg * ride.answer.speed_mps * ride.answer.speed_mps * kKappa_1pm;  // 34.99 kN
+  EXPECT_NEAR(sumOf(ride.answer).lateral_N, expected_N, 10.0);
+  rail::verify({"10", "R300, 8.85 m/s: sum of lateral forces", "m v^2/R", "kN", 34.99,
+                1e-3 * sumOf(ride.answer).lateral_N, 0.02, "it coasts and has lost 1 mm/s"});
+}
+
+/// Load transfer from the inner to the outer wheels: from an independent prototype, 48.9 with gravity's stiffness and
+/// 39.6 without.
+TEST(Loco3dCurveTest, LoadMovesToTheOuterWheels) {
+  for (const bool gravity_stiffness : {true, false}) {
+    Loco3d::Parameters p = onProfiles();
+    p.gravity_stiffness = gravity_stiffness;
+    Ride3d ride(p, kSpeed_mps, 3450.0);
+    ride.run(0.2);
+    const WheelForces sum = sumOf(ride.answer);
+    rail::verify({"10",
+                  std::string("R300, 8.85 m/s: load transfer") + (gravity_stiffness ? ", gravity's stiffness" : ""),
+                  "independent model", "kN", gravity_stiffness ? 48.9 : 39.6, 0.5e-3 * (sum.right_N - sum.left_N), 0.12,
+                  "two units of the last digit given"});
+    EXPECT_NEAR(sum.right_N + sum.left_N, fixtures::kWeight_N, 5.0);
+  }
+}
+
+/// Moment about the track's centre line at the rail tops, over all bodies' own frames: what the contacts give carries
+/// weights and centrifugal forces, and what weights gain by the frames' offsets.
+TEST(Loco3dCurveTest, TheMomentAboutTheTracksCentreCloses) {
+  Loco3d::Parameters p = onProfiles();
+  Ride3d ride(p, kSpeed_mps, 3450.0);
+  ride.run(0.2);
+  const loco::BodyState s = ride.bodies();
+  const double v = ride.answer.speed_mps;
+  double moment_N_m = 0.0;
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
+    const loco::Body& body = p.structure.bodies[i];
+    const double arc_m = -0.5 * kKappa_1pm * body.p_T.x() * body.p_T.x();  // of the frame, from the tangent's height
+    const double height_m = i >= BodyLayout::wheelset(0) ? body.p_T.z() + s.q[i][loco::kZ] : body.p_T.z();
+    moment_N_m -= (s.q[i][loco::kY] - arc_m) * body.mass_kg * kGravity_mps2;
+    moment_N_m += height_m * body.mass_kg * v * v * kKappa_1pm;
+    if (i < BodyLayout::wheelset(0)) continue;
+    moment_N_m += p.structure.spin_momentum_inertia_kg_m2 * s.v[i][loco::kPitch] * v * kKappa_1pm;
+    const auto& contacts = ride.locomotive.contacts(i - BodyLayout::wheelset(0));
+    for (std::size_t k = 0; k < contacts.count; ++k) {
+      const Eigen::Vector3d F = contacts.list[k].force_N(), at = contacts.list[k].region.p_T;
+      moment_N_m += (at.y() - arc_m) * F.z() - at.z() * F.y();
+    }
+  }
+  rail::verify({"10", "R300, 8.85 m/s: moment about the track's centre", "equilibrium", "kN m", 0.0, 1e-3 * moment_N_m,
+                0.02, "as an independent model closes; angles of the frames, squared"});
+}
+
+TEST(Loco3dCurveTest, AtItsEquilibriumCantNothingPullsOutwards) {
+  // v^2 kappa S/g = 39.9 mm
+  const double cant_mm = 1e3 * kSpeed_mps * kSpeed_mps * kKappa_1pm * 1.5 / kGravity_mps2;
+  Ride3d ride(onProfiles("left", cant_mm), kSpeed_mps, 3450.0);
+  ride.run(0.2);
+  const WheelForces sum = sumOf(ride.answer);
+  EXPECT_NEAR(sum.lateral_N, 0.0, 50.0);                      // the small angle of the cant, cubed, and the coasting
+  EXPECT_NEAR(0.5 * (sum.right_N - sum.left_N), 0.0, 1.9e3);  // what standing in the curve without cant gives
+  rail::verify({"10", "equilibrium cant at 8.85 m/s", "v^2 S/(R g)", "mm", 40.0, cant_mm, 0.2, "rounded"});
+}
+
+TEST(Loco3dCurveTest, AMirroredCurveHasTheMirroredAnswer) {
+  Ride3d left(onProfiles("left"), kSpeed_mps, 3295.0), right(onProfiles("right"), kSpeed_mps, 3295.0);
+  for (Ride3d* ride : {&left, &right}) {
+    ride->force.traction_reference_N = 300e3;
+    ride->force.coupler_rear_N = -250e3;
+    ride->run(3.0);
+  }
+  EXPECT_NEAR(left.answer.traction_N, right.answer.traction_N, 1e-3);
+  const loco::BodyState a = left.bodies(), b = right.bodies();
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
+    EXPECT_NEAR(a.q[i][loco::kY], -b.q[i][loco::kY], 1e-10) << i;
+    EXPECT_NEAR(a.q[i][loco::kRoll], -b.q[i][loco::kRoll], 1e-10) << i;
+    EXPECT_NEAR(a.q[i][loco::kYaw], -b.q[i][loco::kYaw], 1e-10) << i;
+    EXPECT_NEAR(a.q[i][loco::kZ], b.q[i][loco::kZ], 1e-10) << i;
+  }
+  EXPECT_GT(std::abs(a.q[0][loco::kY]), 5e-3);
+}
+
+TEST(Loco3dCurveTest, ThroughTheTransitionItKeepsTheSpeedOfLtdAndItsAccount) {
+  Ride3d ride(onProfiles(), 8.0, 3290.0);
+  ride.force.traction_reference_N = 490e3;
+  for (int i = 0; i < 4000; ++i) {
+    ride.step();
+    ride.force.coupler_rear_N = -ride.answer.traction_N;
+    ASSERT_NEAR(ride.answer.speed_mps, ride.ltd_speed, 1e-10) << i;
+  }
+  EXPECT_GT(ride.sum.motors, 2e7);
+  EXPECT_LT(std::abs(ride.sum.residual()), 1e-5 * ride.sum.motors);
+  EXPECT_LT(std::abs(ride.sum.frames), 1e-3 * ride.sum.motors);  // what the small-angle frames leave out of the account
+}
+
+TEST(Loco3dCurveTest, CoastingTheContactsMakeItsCurvingResistance) {
+  Ride3d ride(onProfiles(), kSpeed_mps, 3450.0);
+  ride.run(1.0);
+  EXPECT_LT(ride.answer.traction_N, -0.3e3);  // Eq. (6) would say 2.7 kN; with k0 = 0.075 the contacts make less
+  EXPECT_GT(ride.answer.traction_N, -1.3e3);
+}
+
+TEST(Loco3dCurveTest, StandingInACurveItStaysAndIsSymmetricFrontToRear) {
+  Ride3d ride(onProfiles(), 0.0, 3450.0);
+  ride.run(0.5);
+  const loco::BodyState s = ride.bodies();
+  EXPECT_NEAR(ride.answer.speed_mps, 0.0, 1e-9);
+  EXPECT_NEAR(s.q[1][loco::kY], s.q[2][loco::kY], 1e-9);
+  EXPECT_NEAR(s.q[1][loco::kYaw], -s.q[2][loco::kYaw], 1e-9);
+}
+
+/// Range of the first wheelset's motion [mm] in the last of some seconds after 3 mm to the side, on straight track.
+double huntingRange(double k0, double v_mps) {
+  Loco3d::Parameters p = onProfiles();
+  p.track = nullptr;
+  p.rail.elsewhere.friction = {0.4, 1.0, 0.0};
+  p.rail.elsewhere.reduction = {k0, 1.0, 0.0};
+  p.rail.elsewhere.cells = p.rail.elsewhere.strips = 10;
+  Ride3d ride(p, v_mps);
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) ride.state[6 * i + loco::kY] += 3e-3;
+  double low_m = 1.0, high_m = -1.0;
+  for (int i = 0; i < 4000 && !::testing::Test::HasFatalFailure(); ++i) {
+    ride.step();
+    if (i < 3500) continue;
+    const double y_m = ride.bodies().q[BodyLayout::wheelset(0)][loco::kY];
+    low_m = std::min(low_m, y_m);
+    high_m = std::max(high_m, y_m);
+  }
+  return 1e3 * (high_m - low_m);
+}
+
+/// Prototype's values, not an oracle: k0 = 1, mu = 0.4 dies out at 40 m/s and has a limit cycle by 50; k0 = 0.075 dies
+/// out up to 90.
+TEST(Loco3dCurveTest, HuntingDiesOutBelowACriticalSpeed) {
+  rail::verify({"12", "hunting, k0 = 1, 40 m/s: range after 7 s", "independent model: dies out", "mm", 0.0,
+                huntingRange(1.0, 40.0), 0.3, "a tenth of the start"});
+  rail::verify({"12", "hunting, k0 = 1, 50 m/s: range after 7 s", "independent model: limit cycle", "mm", 6.0,
+                huntingRange(1.0, 50.0), 3.0, "it goes on, about from flange to flange"});
+  rail::verify({"12", "hunting, k0 = 0.075, 90 m/s: range after 7 s", "independent model: dies out", "mm", 0.0,
+                huntingRange(0.075, 90.0), 0.3, "a tenth of the start"});
+}
+
+TEST(Loco3dCurveTest, ALateralPushThatIsTooHardEndsWithTheWheelsName) {
+  Loco3d::Parameters p = onProfiles();
+  Ride3d ride(p, kSpeed_mps, 3000.0);
+  ride.force.coupler_front_N = ride.force.coupler_rear_N = 0.0;
+  ride.state[54 + 3 * 6 + 1] = 8.0;  // m/s sideways: wheelset 1 jumps over the rail
+  for (int i = 0; i < 500 && ride.answer.failure.empty(); ++i) {
+    ride.locomotive.step(ride.state, ride.force, ride.answer);
+    ride.state = ride.answer.state;
+  }
+  EXPECT_NE(ride.answer.failure.find("wheelset 1"), std::string::npos) << ride.answer.failure;
+  EXPECT_NE(ride.answer.failure.find(" km: "), std::string::npos) << ride.answer.failure;
+}
+
+}  // namespace
