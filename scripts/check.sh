@@ -6,7 +6,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
-all_checks=(format lint includes compiler_flags shell_syntax python_syntax count_tests warnings colcon)
+all_checks=(format lint includes compiler_flags shell_syntax python_syntax script_tests warnings colcon)
 check_dir="$REPO/build_check"
 
 cpp_files() {
@@ -104,8 +104,12 @@ check_python_syntax() {
   return $status
 }
 
-check_count_tests() {
-  PYTHONDONTWRITEBYTECODE=1 "$PYTHON" "$REPO/scripts/count_tests_test.py" 2>&1
+check_script_tests() {
+  local status=0
+  for test in "$REPO"/scripts/*_test.py; do
+    PYTHONDONTWRITEBYTECODE=1 "$PYTHON" "$test" 2>&1 || status=1
+  done
+  return $status
 }
 
 # Libraries, programs and benchmarks of the build without ROS; the tests are left to the colcon check, which compiles every

@@ -41,7 +41,11 @@ def read(folders):
     rows = {}
     for folder in folders:
         for path in sorted(glob.glob(os.path.join(folder, "**", "*.xml"), recursive=True)):
-            for case in ElementTree.parse(path).getroot().iter("testcase"):
+            try:
+                root = ElementTree.parse(path).getroot()
+            except ElementTree.ParseError as error:
+                fail("%s: is not XML: %s" % (path, error))
+            for case in root.iter("testcase"):
                 test = "%s.%s" % (case.get("classname"), case.get("name"))
                 for item in case.iter("property"):
                     if not item.get("name").startswith("verification_"):
@@ -50,7 +54,10 @@ def read(folders):
                     if len(parts) != 8:
                         fail("%s: %s: %r has %d parts instead of 8" % (path, test, item.get("value"), len(parts)))
                     number, what, source, unit, expected, computed, tolerance, reason = parts
-                    row = (int(number), what, source, unit, float(expected), float(computed), float(tolerance), reason, test)
+                    try:
+                        row = (int(number), what, source, unit, float(expected), float(computed), float(tolerance), reason, test)
+                    except ValueError as error:
+                        fail("%s: %s: %r: %s" % (path, test, item.get("value"), error))
                     rows[(number, what, source, test)] = row
     return list(rows.values())
 
