@@ -121,15 +121,23 @@ Driver readDriver(rail::YamlReader reader, const TrainModel& train) {
   return Driver::read(reader, train.notch_groups, largest);
 }
 
-/// What locomotives with contacts need; in a train without any of them these keys are unknown ones.
+/// What locomotives with contacts need; in a train without any of them these keys are of no use.
+/// @param train_known  the locomotives' models are known: without them nothing is asked for nor refused
 /// @return the sections of the rail
 std::vector<loco::RailConditions::Section> readContactOptions(rail::YamlReader& root, const Scenario& scenario,
-                                                              bool step_known) {
+                                                              bool train_known, bool step_known) {
   const std::vector<LocoUnit>& units = scenario.train.locomotives;
   const bool needed =
-      loco::hasContacts(scenario.locomotive_model) ||
       std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::hasContacts(u.model); });
-  if (!needed) return {};
+  if (!needed) {
+    for (const char* const key : {"adhesion", "rail_sections", "control"}) {
+      if (train_known)
+        root.refuseKey(key, "is of no use to 1D locomotives: remove it, or choose another locomotive_model");
+      else
+        root.ignore(key);
+    }
+    return {};
+  }
   return loco::readModelOptions(root, step_known ? scenario.micro_step : 0).rail.sections;
 }
 
@@ -199,7 +207,7 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   if (scenario.name.find('/') != std::string::npos || scenario.name.substr(0, 1) == ".")
     root.refuse("name", "names the bag, so it must not hold '/' nor begin with '.'");
   root.text("description");
-  scenario.locomotive_model = loco::readModel(root);
+  const bool model_known = isSound(problems, [&] { scenario.locomotive_model = loco::readModel(root); });
   scenario.rotary_inertia = root.boolean("rotary_inertia");
   const bool step_known = isSound(problems, [&] { readSteps(root.map("steps"), scenario); });
   const bool run_known = isSound(problems, [&] { scenario.run = readRun(root.map("run")); });
@@ -208,7 +216,8 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
     scenario.train = TrainModel::read(root.map("train"), scenario.locomotive_model, scenario.rotary_inertia);
   });
   std::vector<loco::RailConditions::Section> sections;
-  const bool sections_known = isSound(problems, [&] { sections = readContactOptions(root, scenario, step_known); });
+  const bool sections_known =
+      isSound(problems, [&] { sections = readContactOptions(root, scenario, model_known && train_known, step_known); });
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
   scenario.driver = readDriver(root.map("driver"), scenario.train);
   const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};

@@ -240,8 +240,39 @@ TEST_F(ScenarioFaultTest, RefusesARailSectionBeyondTheTrack) {
 TEST_F(ScenarioFaultTest, RefusesContactOptionsInATrainThatHasNoContacts) {
   replace("config/scenarios/wet_stretch.yaml", "locomotive_model: 2d", "locomotive_model: 1d");
   const std::vector<std::string> lines = faults({}, "scenarios/wet_stretch.yaml");
-  ASSERT_EQ(lines.size(), 3u) << fixtures::joined(lines);
-  for (const std::string& line : lines) EXPECT_NE(line.find("unknown key"), std::string::npos) << line;
+  const std::string rule = ": is of no use to 1D locomotives: remove it, or choose another locomotive_model";
+  EXPECT_EQ(lines, (std::vector<std::string>{
+                       "scenarios/wet_stretch.yaml: adhesion_file = ../adhesion/paper_table1.yaml" + rule,
+                       "scenarios/wet_stretch.yaml: rail_sections = [...]" + rule,
+                       "scenarios/wet_stretch.yaml: control_file = ../control/pi_per_axle.yaml" + rule}))
+      << fixtures::joined(lines);
+}
+
+TEST_F(ScenarioFaultTest, ContactOptionsGoByTheModelsOfTheGroupsNotByTheScenarios) {
+  const std::string file = "config/scenarios/paper_2d.yaml";
+  replace("config/trains/paper.yaml", "notch_group: lead", "notch_group: lead, locomotive_model: 1d");
+  EXPECT_EQ(faults({}, "scenarios/paper_2d.yaml").size(), 2u);  // neither adhesion nor control is of use
+  replace(file, "adhesion_file:", "# adhesion_file:");
+  replace(file, "control_file:", "# control_file:");
+  EXPECT_EQ(faults({}, "scenarios/paper_2d.yaml"), std::vector<std::string>());
+}
+
+TEST_F(ScenarioFaultTest, AFaultInTheTrainOrTheModelDoesNotAccuseContactOptions) {
+  for (const std::string model : {"1d", "5d"}) {
+    const std::vector<std::string> lines =
+        faults({{"locomotive_model", model}, {"train.groups.0.count", "0"}}, "scenarios/paper_2d.yaml");
+    EXPECT_EQ(lines.size(), model == "1d" ? 1u : 2u) << fixtures::joined(lines);
+  }
+}
+
+TEST_F(ScenarioFaultTest, AMisspeltKeyThatNamesAFileIsToldAsItIsWritten) {
+  replace("config/scenarios/paper_2d.yaml", "control_file:", "contrl_file:");
+  const std::vector<std::string> lines = faults({}, "scenarios/paper_2d.yaml");
+  EXPECT_EQ(lines, (std::vector<std::string>{
+                       "scenarios/paper_2d.yaml: control: is missing: must be a map",
+                       "scenarios/paper_2d.yaml: contrl_file = ../control/pi_per_axle.yaml: unknown key, "
+                       "did you mean 'control_file'?"}))
+      << fixtures::joined(lines);
 }
 
 }  // namespace

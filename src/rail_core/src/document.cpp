@@ -11,6 +11,7 @@ namespace rail {
 Document& Document::operator=(const Document& other) {
   root_.reset(other.root_);
   file_of_subtree_ = other.file_of_subtree_;
+  file_key_ = other.file_key_;
   overridden_ = other.overridden_;
   unreadable_ = other.unreadable_;
   return *this;
@@ -43,6 +44,11 @@ Document::Place Document::place(const std::string& key) const {
     if (isWithin(key, path) && path.size() > longest) return {"--set", key};
   }
   return place;
+}
+
+const Document::FileKey* Document::fileKey(const std::string& key) const {
+  const auto found = file_key_.find(key);
+  return found == file_key_.end() ? nullptr : &found->second;
 }
 
 }  // namespace rail

@@ -97,6 +97,7 @@ YAML::Node DocumentLoader::include(const YAML::Node& raw, const Cursor& cursor, 
     return fail(path);
   }
   const std::string& name = raw.Scalar();
+  document_.file_key_[path] = {{cursor.file, cursor.local}, name};
   if (!files_allowed_) {
     problems_.add(cursor.file, cursor.local, name, "files cannot be named here, the text must be complete");
     return fail(path);

@@ -118,6 +118,8 @@ std::string DocumentLoader::stepFault(const YAML::Node& node, const std::string&
 void DocumentLoader::forget(const std::string& path) {
   auto& files = document_.file_of_subtree_;
   for (auto it = files.begin(); it != files.end();) it = isWithin(it->first, path) ? files.erase(it) : std::next(it);
+  auto& keys = document_.file_key_;
+  for (auto it = keys.begin(); it != keys.end();) it = isWithin(it->first, path) ? keys.erase(it) : std::next(it);
   auto& unreadable = document_.unreadable_;
   for (auto it = unreadable.begin(); it != unreadable.end();) {
     it = isWithin(*it, path) ? unreadable.erase(it) : std::next(it);

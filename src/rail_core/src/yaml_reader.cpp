@@ -5,6 +5,7 @@
 
 #include "number_text.hpp"
 #include "value_rules.hpp"
+#include "yaml_nodes.hpp"
 #include "yaml_source.hpp"
 
 namespace rail {
@@ -127,6 +128,15 @@ void YamlReader::refuse(const std::string& key, const std::string& rule) {
   if (present_ && !contains(faulty_, key)) reject(key, rule);
 }
 
+void YamlReader::refuseKey(const std::string& key, const std::string& rule) {
+  if (!isGiven(key)) return;
+  if (const Document::FileKey* const named = document_->fileKey(joinPath(path_, key))) {
+    problems_->add(named->place.file, named->place.key, named->path, rule);
+  } else {
+    reject(key, rule);
+  }
+}
+
 std::string YamlReader::file(const std::string& key) const {
   return document_->place(key.empty() ? path_ : joinPath(path_, key)).file;
 }
@@ -139,12 +149,13 @@ void YamlReader::finish() {
   for (const std::string& key : keys()) {
     if (contains(asked_, key)) continue;
     if (contains(known_, key)) {
-      reject(key, "is not used here");
+      refuseKey(key, "is not used here");
       continue;
     }
-    const std::string near = nearestWord(key, known);
+    std::string near = nearestWord(key, known);
+    if (!near.empty() && document_->fileKey(joinPath(path_, key))) near += kFileSuffix;
     const std::string list = known.empty() ? "none is known here" : "known here: " + joinWords(known);
-    reject(key, "unknown key, " + (near.empty() ? list : "did you mean '" + near + "'?"));
+    refuseKey(key, "unknown key, " + (near.empty() ? list : "did you mean '" + near + "'?"));
   }
 }
 

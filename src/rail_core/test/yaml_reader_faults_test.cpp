@@ -146,6 +146,18 @@ TEST(YamlReaderFaultsTest, UnknownKeysWithTheNearestKnownOne) {
                    "f.yaml: seed = 3: unknown key, did you mean 'seeds'?"}));
 }
 
+TEST(YamlReaderFaultsTest, AKeyIsRefusedAsSuchOnlyIfItIsGiven) {
+  EXPECT_EQ(faults("{a: 5, b: 6}",
+                   [](YamlReader& reader) {
+                     reader.refuseKey("a", "is of no use");
+                     reader.refuseKey("gone", "is of no use");
+                     reader.ignore("b");
+                     reader.ignore("gone too");
+                     reader.finish();
+                   }),
+            Lines{"f.yaml: a = 5: is of no use"});
+}
+
 TEST(YamlReaderFaultsTest, KeyThatWasOnlyLookedForIsNotUsed) {
   EXPECT_EQ(faults("{a: 5}",
                    [](YamlReader& reader) {

@@ -115,6 +115,35 @@ TEST_F(YamlReaderTest, AbsentMapIsReportedOnce) {
   EXPECT_EQ(problems_.lines(), Lines{"f.yaml: gone: is missing: must be a map"});
 }
 
+TEST_F(YamlReaderTest, UnknownKeysThatNameAFileAreToldAsTheyAreWrittenWhereTheyStand) {
+  write("s.yaml", "train_file: trains/t.yaml\nlots_file: absent.yaml\nempty: {}\n");
+  write("trains/t.yaml", "bodis_file: ../b.yaml\ncurve_file: ../b.yaml\n");
+  write("b.yaml", "x: 1\ny_file: c.csv\n");
+  write("c.csv", "x\n1\n");
+  const Document document = Document::load(
+      path("s.yaml"), {{"empty.stray_file", path("b.yaml")}, {"train.curve", "{z: 1}"}, {"train.bodies", "{}"}},
+      problems_);
+  YamlReader reader(document, problems_);
+  YamlReader train = reader.map("train");
+  train.map("bodies").finish();
+  train.finish();
+  YamlReader empty = reader.map("empty");
+  empty.finish();
+  reader.has("lot");
+  reader.finish();
+  EXPECT_EQ(linesOf(problems_),
+            (Lines{"s.yaml: lots_file = absent.yaml: cannot read 'absent.yaml'",
+                   "trains/t.yaml: bodis_file = ../b.yaml: unknown key, did you mean 'bodies_file'?",
+                   "--set: train.curve = {...}: unknown key, known here: bodies",  // what it named is not in force
+                   "--set: empty.stray_file = b.yaml: unknown key, none is known here",
+                   "s.yaml: lots_file = absent.yaml: unknown key, did you mean 'lot_file'?"}));
+  const Document copy = document;
+  ASSERT_NE(copy.fileKey("train.bodis"), nullptr);
+  EXPECT_NE(copy.fileKey("train.bodis.y"), nullptr);
+  EXPECT_EQ(copy.fileKey("train.bodis.x"), nullptr);
+  EXPECT_EQ(copy.fileKey("train.curve.y"), nullptr);
+}
+
 TEST_F(YamlReaderTest, MessagesNameTheFileThatHoldsTheKey) {
   write("s.yaml", "train_file: trains/t.yaml\ntable_file: c.csv\nn: 0\nlost_file: absent.yaml\n");
   write("trains/t.yaml", "mass_kg: -1\nlenght_m: 1\n");

@@ -56,6 +56,14 @@ class Document {
   };
   Place place(const std::string& key) const;
 
+  /// The `NAME_file` key that brought the content of `key`: where it stands, and the path as it is written there.
+  struct FileKey {
+    Place place;
+    std::string path;
+  };
+  /// Null if the content of `key` itself (not of a map around it) was not named by such a key.
+  const FileKey* fileKey(const std::string& key) const;
+
   /// True if the content that should stand at `key` could not be read. The problem has been reported: readers must not
   /// add that the key is missing.
   bool unreadable(const std::string& key) const { return unreadable_.count(key) > 0; }
@@ -64,6 +72,7 @@ class Document {
   friend class DocumentLoader;
   YAML::Node root_;                                     ///< never changed after loading
   std::map<std::string, std::string> file_of_subtree_;  ///< dotted path of an included subtree -> its file
+  std::map<std::string, FileKey> file_key_;             ///< dotted path of an included subtree -> what named its file
   std::set<std::string> overridden_;                    ///< dotted paths
   std::set<std::string> unreadable_;                    ///< dotted paths
 };

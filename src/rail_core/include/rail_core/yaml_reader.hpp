@@ -62,6 +62,13 @@ class YamlReader {
   /// go deeper (`points.3`), "" is the map itself. A key that was found missing or ill-typed is not refused again.
   void refuse(const std::string& key, const std::string& rule);
 
+  /// Refuses a key as such, whatever its value, if it is given. If the value came from a file, the message tells of the
+  /// `NAME_file` key and where it stands, not of the file.
+  void refuseKey(const std::string& key, const std::string& rule);
+
+  /// Leaves a key unread: it may be given or not.
+  void ignore(const std::string& key) { asked_.push_back(key); }
+
   /// Dotted path of this map in the document ("" for the root).
   const std::string& path() const { return path_; }
   /// False for a map that was absent or no map; the problem has then been reported already.
