@@ -62,7 +62,7 @@ TrackStretch Track::stretch(double from_m, double to_m, std::size_t& hint) const
     const Piece& piece = pieces_[i < 0 ? 0 : static_cast<std::size_t>(i)];
     const double slope = i < 0 ? 0.0 : piece.curvature_slope_1pm2;  // before the start the value there holds
     const double kappa = piece.curvature_1pm + slope * (s_m - piece.s_m);
-    sum.lateral_m += (sum.heading_rad + (0.5 * kappa + slope * D / 6.0) * D) * D;  // (T1)
+    sum.lateral_m += (sum.heading_rad + (0.5 * kappa + slope * D / 6.0) * D) * D;  // (T10)
     sum.heading_rad += (kappa + 0.5 * slope * D) * D;
     if (last) return sum;
     s_m += D;
@@ -81,7 +81,7 @@ TrackCant Track::cant(double s_m, double window_m, std::size_t& hint) const {
     cant_m[end] = piece.left_cant_m + slope * beyond_m;
     integral_m2[end] = piece.left_cant_integral_m2 + (piece.left_cant_m + 0.5 * slope * beyond_m) * beyond_m;
   }
-  return {(integral_m2[1] - integral_m2[0]) / window_m, (cant_m[1] - cant_m[0]) / window_m};
+  return {(integral_m2[1] - integral_m2[0]) / window_m, (cant_m[1] - cant_m[0]) / window_m};  // (T10)
 }
 
 }  // namespace rail

@@ -209,6 +209,43 @@ TEST(TrackTest, HintFollowsAVehicleForwardAndBackAndIsAlwaysThePieceOfThePoint) 
   EXPECT_EQ(hint, 0u);
 }
 
+/// Curvature 0 to 0.01 and cant 0 to 80 mm over 20 m from the track's very start.
+Track curveAtTheStart() {
+  return goodTrack(
+      "name: t\nstart_km: 1\nend_km: 2\ngrades: [{from_km: 1, grade_permille: 0}]\ncurves: [{start_km: 1, radius_m: "
+      "100, "
+      "direction: left, transition_in_m: 20, circular_m: 30, transition_out_m: 20, cant_mm: 80}]\n"
+      "speed_limits: [{from_km: 1, limit_kmph: 80}]\n");
+}
+
+TEST(TrackTest, BeforeTheStartThePlanIsThatOfTheStartItself) {
+  const Track track = curveAtTheStart();
+  std::size_t hint = 0;
+  const TrackStretch before = track.stretch(980.0, 996.0, hint);  // straight: the ramp must not go on backwards
+  EXPECT_EQ(before.heading_rad, 0.0);
+  EXPECT_EQ(before.lateral_m, 0.0);
+  const TrackStretch across = track.stretch(990.0, 1010.0, hint);
+  EXPECT_NEAR(across.heading_rad, 0.0005 * 100.0 / 2.0, 1e-15);
+  EXPECT_NEAR(across.lateral_m, 0.0005 * 1000.0 / 6.0, 1e-15);
+  const TrackStretch back = track.stretch(1010.0, 990.0, hint);  // the same line, seen from its other end
+  EXPECT_NEAR(back.heading_rad, -across.heading_rad, 1e-15);
+  EXPECT_NEAR(back.lateral_m, across.heading_rad * 20.0 - across.lateral_m, 1e-14);
+}
+
+TEST(TrackTest, BeforeTheStartCantIsThatOfTheStartItself) {
+  const Track track = curveAtTheStart();
+  std::size_t hint = 0;
+  const TrackCant before = track.cant(990.0, 3.0, hint);
+  EXPECT_EQ(before.left_m, 0.0);
+  EXPECT_EQ(before.slope, 0.0);
+  const TrackCant across = track.cant(1000.0, 3.0, hint);
+  EXPECT_NEAR(across.left_m, -0.004 * 1.5 * 1.5 / 6.0, 1e-15);
+  EXPECT_NEAR(across.slope, -0.004 * 0.5, 1e-15);
+  const TrackCant joint = track.cant(1020.5, 3.0, hint);  // 1 m of the ramp's end, 2 m of the circle
+  EXPECT_NEAR(joint.left_m, -(0.078 * 1.0 + 0.080 * 2.0) / 3.0, 1e-12);
+  EXPECT_NEAR(joint.slope, -0.004 / 3.0, 1e-12);
+}
+
 TEST(TrackTest, EqualRowsAreOnePiece) {
   std::string rows;
   for (int i = 0; i < 100; ++i) rows += std::to_string(i) + ",5,0,0,80\n";

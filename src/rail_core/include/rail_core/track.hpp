@@ -21,14 +21,14 @@ struct TrackPoint {
   double height_m = 0.0;         ///< integral of the grade from the track's start [m]
 };
 
-/// The track at one place in the frame of another, in plan.                                               (T1)
+/// The track at one place in the frame of another, in plan.                                              (T10)
 ///   heading = integral of kappa from `from` to `to`,   lateral = integral of the heading, for small headings
 struct TrackStretch {
   double heading_rad = 0.0;  ///< of the tangent there against that here, + to the left
   double lateral_m = 0.0;    ///< of the centre line there from the tangent here, + to the left
 };
 
-/// Cant with its run-offs rounded off.
+/// Cant with its run-offs rounded off.                                                                    (T10)
 struct TrackCant {
   double left_m = 0.0;  ///< height of the left rail over the right: < 0 in a canted curve to the left
   double slope = 0.0;   ///< d(left_m)/ds [-]
