@@ -12,7 +12,9 @@ namespace loco {
 /// What one axle does at the end of a macro step, in its last micro step. Forces act on the wheelset; a wheel's are
 /// left, right.
 struct AxleAdhesion {
-  double creep = 0.0;                 ///< (omega r - v)/max(v, 0.5 m/s), r nominal [-]; > 0 driving
+  /// (omega r - v)/max(v, 0.5 m/s), r nominal [-]; > 0 driving. v is this wheelset's own speed, while the controller's
+  /// slip s takes the speed that LTD tells.
+  double creep = 0.0;
   double adhesion = 0.0;              ///< used: force along the track over normal force [-]; > 0 driving
   double friction = 0.0;              ///< what the rail offers: mu at this slip speed [-]
   double static_friction = 0.0;       ///< what it would offer without slip: mu0 of the rail at this place [-]
