@@ -101,6 +101,15 @@ TEST(LocoFactoryTest, AMicroStepBeyondThatOfTheWheelsAtTheirStaticLoadIsRefused)
             std::vector<std::string>());
 }
 
+TEST(LocoFactoryTest, TheStepsLimitCountsThePinsOnTheirSteepestBranch) {
+  const std::string slope = "train.groups.0.vehicle.bodies.secondary.centre_pin.longitudinal.1.slope_N_per_m";
+  const auto lines = faultsOfThePapersLocomotive({{slope, "1e11"}});  // beyond a clearance of 2 mm
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines.front().find("steps.micro_step_s = 0.001: must be at most"), std::string::npos) << lines.front();
+  EXPECT_NE(lines.front().find("bogie frame"), std::string::npos) << lines.front();
+  EXPECT_NE(lines.front().find(", longitudinal"), std::string::npos) << lines.front();
+}
+
 TEST(LocoFactoryTest, FaultsInBodiesContactAdhesionAndControlAreToldAtOnce) {
   const auto lines = faultsOfThePapersLocomotive({{"train.groups.0.vehicle.bodies.primary.y_m", "0"},
                                                   {"train.groups.0.vehicle.contact.poisson_ratio", "2"},
