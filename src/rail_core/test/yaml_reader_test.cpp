@@ -121,7 +121,7 @@ TEST_F(YamlReaderTest, UnknownKeysThatNameAFileAreToldAsTheyAreWrittenWhereTheyS
   write("b.yaml", "x: 1\ny_file: c.csv\n");
   write("c.csv", "x\n1\n");
   const Document document = Document::load(
-      path("s.yaml"), {{"empty.stray_file", path("b.yaml")}, {"train.curve", "{z: 1}"}, {"train.bodies", "{}"}},
+      path("s.yaml"), {{"empty.stray_file", "nowhere.yaml"}, {"train.curve", "{z: 1}"}, {"train.bodies", "{}"}},
       problems_);
   YamlReader reader(document, problems_);
   YamlReader train = reader.map("train");
@@ -133,11 +133,13 @@ TEST_F(YamlReaderTest, UnknownKeysThatNameAFileAreToldAsTheyAreWrittenWhereTheyS
   reader.finish();
   EXPECT_EQ(linesOf(problems_),
             (Lines{"s.yaml: lots_file = absent.yaml: cannot read 'absent.yaml'",
+                   "--set: empty.stray_file = nowhere.yaml: cannot read 'nowhere.yaml'",
                    "trains/t.yaml: bodis_file = ../b.yaml: unknown key, did you mean 'bodies_file'?",
                    "--set: train.curve = {...}: unknown key, known here: bodies",  // what it named is not in force
-                   "--set: empty.stray_file = b.yaml: unknown key, none is known here",
+                   "--set: empty.stray_file = nowhere.yaml: unknown key, none is known here",
                    "s.yaml: lots_file = absent.yaml: unknown key, did you mean 'lot_file'?"}));
-  const Document copy = document;
+  Document copy;
+  copy = document;
   ASSERT_NE(copy.fileKey("train.bodis"), nullptr);
   EXPECT_NE(copy.fileKey("train.bodis.y"), nullptr);
   EXPECT_EQ(copy.fileKey("train.bodis.x"), nullptr);
