@@ -116,12 +116,13 @@ TEST_F(YamlReaderTest, AbsentMapIsReportedOnce) {
 }
 
 TEST_F(YamlReaderTest, UnknownKeysThatNameAFileAreToldAsTheyAreWrittenWhereTheyStand) {
-  write("s.yaml", "train_file: trains/t.yaml\nlots_file: absent.yaml\nempty: {}\n");
+  write("s.yaml", "train_file: trains/t.yaml\nlots_file: absent.yaml\nempty: {}\ninner: {deep_file: b.yaml}\n");
   write("trains/t.yaml", "bodis_file: ../b.yaml\ncurve_file: ../b.yaml\n");
   write("b.yaml", "x: 1\ny_file: c.csv\n");
   write("c.csv", "x\n1\n");
   const Document document = Document::load(
-      path("s.yaml"), {{"empty.stray_file", "nowhere.yaml"}, {"train.curve", "{z: 1}"}, {"train.bodies", "{}"}},
+      path("s.yaml"),
+      {{"empty.stray_file", "nowhere.yaml"}, {"train.curve", "{z: 1}"}, {"train.bodies", "{}"}, {"inner", "{deep: 3}"}},
       problems_);
   YamlReader reader(document, problems_);
   YamlReader train = reader.map("train");
@@ -129,6 +130,8 @@ TEST_F(YamlReaderTest, UnknownKeysThatNameAFileAreToldAsTheyAreWrittenWhereTheyS
   train.finish();
   YamlReader empty = reader.map("empty");
   empty.finish();
+  YamlReader inner = reader.map("inner");
+  inner.finish();
   reader.has("lot");
   reader.finish();
   EXPECT_EQ(linesOf(problems_),
@@ -137,6 +140,7 @@ TEST_F(YamlReaderTest, UnknownKeysThatNameAFileAreToldAsTheyAreWrittenWhereTheyS
                    "trains/t.yaml: bodis_file = ../b.yaml: unknown key, did you mean 'bodies_file'?",
                    "--set: train.curve = {...}: unknown key, known here: bodies",  // what it named is not in force
                    "--set: empty.stray_file = nowhere.yaml: unknown key, none is known here",
+                   "--set: inner.deep = 3: unknown key, none is known here",
                    "s.yaml: lots_file = absent.yaml: unknown key, did you mean 'lot_file'?"}));
   Document copy;
   copy = document;
