@@ -14,6 +14,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from graph import PAPER, REPO, Graph, outcome_of, run_offline  # noqa: E402
 
 WET_STRETCH = os.path.join(REPO, "config", "scenarios", "wet_stretch.yaml")
+PAPER_3D = os.path.join(REPO, "config", "scenarios", "paper_3d.yaml")
 SHORT = "run.end_time_s=8"  # 4000 steps: all locomotives pull, the slack runs out
 
 
@@ -82,6 +83,23 @@ class GraphTest(unittest.TestCase):
         self.assertEqual({round(axle.static_friction, 3) for axle in leading[-1].axles}, {0.2})
         self.assertEqual({round(axle.static_friction, 3) for axle in leading[0].axles}, {0.35})
         self.check_frames([message for topic, _, message in graph_bag if topic == "/tf"][-1], leading[-1].location)
+
+    def test_3d_locomotives_give_the_same_bits_and_tell_the_same_of_their_contacts(self):
+        overrides = "run.start_location_km=3.4 run.start_speed_kmph=25 run.end_time_s=1"
+        overrides += " output.report_locations_km=[3.405] output.section_boundaries_km=[3.405]"
+        self.graph.start_master()
+        train = self.graph.start_train(overrides, scenario=PAPER_3D)
+        for i in (1, 2, 3):
+            self.graph.start_loco(i)
+        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
+        offline = os.path.join(self.graph.folder, "offline")
+        self.assertEqual(outcome_of(self.graph.out), run_offline(offline, overrides, PAPER_3D))
+        graph_bag = bag_payloads(os.path.join(self.graph.out, "paper_3d.bag"))
+        self.assertEqual(graph_bag, bag_payloads(os.path.join(offline, "paper_3d.bag")))
+        last = [message for topic, _, message in graph_bag if topic == "/loco_1/adhesion"][-1]
+        self.assertGreaterEqual(len(last.contacts), 12)
+        weight = 134e3 * 9.81
+        self.assertAlmostEqual(sum(axle.normal_force for axle in last.axles) / weight, 1.0, delta=0.05)
 
     def check_frames(self, message, location):
         """All bodies of three locomotives, where they belong on the paper's line, which begins at chainage 0."""
