@@ -55,10 +55,27 @@ def _draw_bars(axes: Axes, runs: List[Run]) -> None:
     axes.set_ylim(len(runs) - 0.5, -0.5)
     low, high = axes.dataLim.intervalx
     axes.set_xlim(min(1.05 * low, 0.0), max(1.05 * high, 1e-3))
+    _clip_racing(axes, runs)
     axes.set_title('upper bar: what the motors give, lower bar: where it goes from the rail', fontsize=11)
     axes.axvline(0.0, color='black', linewidth=0.8)
     axes.grid(axis='y', visible=False)
     axes.set_xlabel('energy since the start of the run [MJ]   (left of zero: given back)')
+
+
+def _clip_racing(axes: Axes, runs: List[Run]) -> None:
+    """The slip loss of racing wheels leaves the frame, lest it flatten the other bars."""
+    ends = [sum(max(final_MJ(run)[name], 0.0) for name, _, _ in SOURCES) for run in runs]
+    rails = [final_MJ(run)['traction_rail'] for run in runs]
+    # 2 and 1.25, chosen: as in the energy figure
+    races = [end > 2.0 * max(rail, 0.0) + 1.0 for end, rail in zip(ends, rails)]
+    if not any(races):
+        return
+    top = max(1.25 * max(rail if race else end for end, rail, race in zip(ends, rails, races)), 1e-3)
+    axes.set_xlim(right=top)
+    for i, (end, race) in enumerate(zip(ends, races)):
+        if race and end > top:
+            axes.text(top, i - 0.19, f'on to {end:.0f} MJ \u2192 ', ha='right', va='center', fontsize=11,
+                      bbox={'facecolor': 'white', 'edgecolor': 'none', 'alpha': 0.85, 'pad': 1.5})
 
 
 def _stack(axes: Axes, terms: List[Tuple[float, str]], y: float) -> None:

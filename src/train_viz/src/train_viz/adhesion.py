@@ -1,8 +1,28 @@
 """What a locomotive's axles do on the rail, as plain arrays. Nothing here knows ROS or matplotlib."""
 import dataclasses
-from typing import List, Tuple
+from typing import List, Optional, Tuple
 
 import numpy as np
+
+
+@dataclasses.dataclass(frozen=True)
+class Wheels:
+    """What each wheel does, of models with contacts of their own (3d). SI units; [row, axle, side], left 0, right 1."""
+    vertical_force_N: np.ndarray      # Q, of the rail on the wheel, + up
+    lateral_force_N: np.ndarray       # of the rail on the wheelset, + left, as in AxleAdhesion
+    t_gamma_N: np.ndarray             # sum over the wheel's contacts
+    contacts: np.ndarray              # number of contacts
+
+    @property
+    def guiding_force_N(self) -> np.ndarray:
+        """Y: lateral force of the wheel on its rail, + outward, as a flange presses."""
+        return self.lateral_force_N * np.array([-1.0, 1.0])
+
+    @property
+    def lateral_over_vertical(self) -> np.ndarray:
+        """Y/Q (L/V); no number where a wheel carries less than 1 kN (chosen: 1 % of the usual)."""
+        carries = self.vertical_force_N > 1e3
+        return np.where(carries, self.guiding_force_N, np.nan) / np.where(carries, self.vertical_force_N, 1.0)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,6 +42,7 @@ class Adhesion:
     controller_active: np.ndarray     # the controller takes torque away
     frictional_power_W: np.ndarray    # lost to slip
     t_gamma_N: np.ndarray             # energy lost to slip per distance
+    wheels: Optional[Wheels] = None   # of the model 3d
 
     @property
     def location_km(self) -> np.ndarray:
@@ -36,15 +57,23 @@ class Adhesion:
         return self.creep.shape[1]
 
 
-AXLE_COLUMNS = [field.name for field in dataclasses.fields(Adhesion)][4:]  # the arrays by axle, in the order of the fields
+def array_names(kind: type) -> List[str]:
+    return [field.name for field in dataclasses.fields(kind) if field.type is np.ndarray]
+
+
+AXLE_COLUMNS = array_names(Adhesion)[3:]  # the arrays by axle, in the order of the fields
 
 
 def join_adhesion(parts: List[Adhesion]) -> Adhesion:
     """Joins one locomotive's rows from bags of one run; of rows of the same time any one will do."""
     _, rows = np.unique(np.concatenate([part.time_s for part in parts]), return_index=True)
-    names = [field.name for field in dataclasses.fields(Adhesion) if field.type is np.ndarray]
-    return dataclasses.replace(parts[0], **{
-        name: np.concatenate([getattr(part, name) for part in parts])[rows] for name in names})
+
+    def joined(those: list) -> dict:
+        return {name: np.concatenate([getattr(that, name) for that in those])[rows] for name in array_names(type(those[0]))}
+
+    wheels = [part.wheels for part in parts]
+    return dataclasses.replace(parts[0], **joined(parts), wheels=None if None in wheels else
+                               dataclasses.replace(wheels[0], **joined(wheels)))
 
 
 def true_stretches(place: np.ndarray, flags: np.ndarray) -> List[Tuple[float, float]]:

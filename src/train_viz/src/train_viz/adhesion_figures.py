@@ -45,7 +45,7 @@ def draw_adhesion_creep(run: Run) -> Figure:
     scale = f'   (logarithmic beyond {LINEAR_TO_PERCENT:g} %)' if _races(wheels) else ''
     figure.supxlabel(f'creep [%]{scale}', fontsize=12)
     figure.supylabel('coefficient of adhesion or friction [-]', fontsize=12)
-    figure.suptitle(f'Adhesion over creep, {_whose(run)}')
+    figure.suptitle(f'Adhesion over creep, {whose(run)}')
     plot_style.legend_below(figure, panels[0, 0], marker_scale=2.0)
     return figure
 
@@ -146,8 +146,8 @@ def _draw_axles(axes: Axes, wheels: Adhesion, values: np.ndarray, labels: bool =
 def _finish_place_panels(figure: Figure, panels: np.ndarray, run: Run, title: str) -> None:
     for axes in panels:
         plot_style.shade_curves(axes, [run], labels=axes is panels[0])
-    _set_place_axis(panels[-1], [run])
-    figure.suptitle(f'{title}, {_whose(run)}')
+    set_place_axis(panels[-1], [run])
+    figure.suptitle(f'{title}, {whose(run)}')
     figure.align_ylabels(panels)
     plot_style.legend_below(figure, panels)
 
@@ -168,7 +168,7 @@ def draw_friction_adhesion(runs: List[Run]) -> Optional[Figure]:
     title = f'Friction and adhesion, {_which(with_wheels)}' + (f', {with_wheels[0].label}' if len(shown) == 1 else '')
     axes.set_title(title, pad=22)
     axes.set_ylabel('coefficient of friction or adhesion [-]')
-    _set_place_axis(axes, with_wheels)
+    set_place_axis(axes, with_wheels)
     absent = [run.label for run in runs if run.adhesion is None]
     note = f'Not shown, no adhesion topic in the bag (1D has none): {", ".join(absent)}' if absent else ''
     plot_style.legend_below(figure, axes, plot_style.wrapped(note, 90))
@@ -203,7 +203,7 @@ def _add_friction_keys(axes: Axes, runs: List[Run], colours: List[str]) -> None:
     axes.fill_between([], [], [], color=grey_or_own, label='its range over the axles', **RANGE_STYLE)
 
 
-def _set_place_axis(axes: Axes, runs: List[Run]) -> None:
+def set_place_axis(axes: Axes, runs: List[Run]) -> None:
     plot_style.set_place_axis(axes, runs)
     if any(run.adhesion.locomotive != 1 for run in runs):
         first, last = axes.get_xlim()
@@ -211,7 +211,7 @@ def _set_place_axis(axes: Axes, runs: List[Run]) -> None:
         axes.set_xlabel(f'place of {_which(runs)} [km]')
 
 
-def _whose(run: Run) -> str:
+def whose(run: Run) -> str:
     return f'{run.label}, {_which([run])}'
 
 

@@ -13,7 +13,7 @@ import rosbag
 from train_msgs.msg import Adhesion as AdhesionMessage
 from train_msgs.msg import RunConfiguration, TrainEnergy, TrainState
 
-from train_viz.adhesion import AXLE_COLUMNS, Adhesion
+from train_viz.adhesion import AXLE_COLUMNS, Adhesion, Wheels
 from train_viz.run import ReportError, Run
 
 FORMAT_VERSION = 2  # of the bag, as in RunConfiguration; with another one fields may mean something else
@@ -36,9 +36,11 @@ UNREADABLE = (rosbag.ROSBagException, genpy.MessageException, struct.error, OSEr
               EOFError)
 
 
-def read_bag(path: str) -> Run:
+def read_bag(path: str, locomotive: Optional[int] = None) -> Run:
     """Reads one bag.
 
+    @param locomotive whose values the figures show, from 1 at the head; None: the leading one, and the wheels of the first
+                      that has any
     @raise ReportError naming the file and what to do
     """
     if not os.path.isfile(path):
@@ -47,32 +49,36 @@ def read_bag(path: str) -> Run:
         raise ReportError(f'{path}: empty file: the run was killed before it wrote anything, simulate again')
     try:
         with rosbag.Bag(path) as bag:
-            locomotive = _check_topics(path, bag)
+            with_wheels = _check_topics(path, bag, locomotive)
             configuration = _read_configuration(path, bag)
-            states, energies, wheels = _read_rows(path, bag, locomotive)
+            states, energies, wheels = _read_rows(path, bag, with_wheels)
     except rosbag.ROSBagUnindexedException:
         raise ReportError(f'{path}: bag was never closed: wait for the end of the run, or repair a copy of it with '
                           f"'rosbag reindex'") from None
     except UNREADABLE as error:
         raise ReportError(f'{path}: not a readable bag ({_one_line(error)}): record or simulate it again') from None
     run = _make_run(path, configuration, states, energies)
-    return dataclasses.replace(run, adhesion=_make_adhesion(path, locomotive, wheels))
+    count = run.traction_N.shape[1]
+    if locomotive is not None and not 1 <= locomotive <= count:
+        raise ReportError(f'{path}: no locomotive {locomotive}: the train has {count}, 1 is the leading one')
+    return dataclasses.replace(run, locomotive=locomotive or 1, adhesion=_make_adhesion(path, with_wheels, wheels))
 
 
 def _one_line(error: BaseException) -> str:
     return ' '.join(str(error).split()) or type(error).__name__
 
 
-def _check_topics(path: str, bag: rosbag.Bag) -> Optional[int]:
+def _check_topics(path: str, bag: rosbag.Bag, wanted: Optional[int]) -> Optional[int]:
     """Refuses bags without our topics, or with topics whose messages were defined differently.
 
-    @return number of the first locomotive with an adhesion topic, or None
+    @return number of the first locomotive with an adhesion topic, of `wanted` if that is given, or None
     """
     types, topics = bag.get_type_and_topic_info()
     missing = [topic for topic in TOPICS if topic not in topics]
     if missing:
         raise ReportError(f'{path}: no messages on {", ".join(missing)}: give a telemetry bag written by LTD')
-    locomotive = min((int(match[1]) for match in map(ADHESION_TOPIC.fullmatch, topics) if match), default=None)
+    with_wheels = {int(match[1]) for match in map(ADHESION_TOPIC.fullmatch, topics) if match}
+    locomotive = min(with_wheels if wanted is None else with_wheels & {wanted}, default=None)
     adhesion = {} if locomotive is None else {_adhesion_topic(locomotive): AdhesionMessage}
     for topic, message in {**TOPICS, **adhesion}.items():
         name = topics[topic].msg_type
@@ -113,8 +119,20 @@ def _read_rows(path: str, bag: rosbag.Bag, locomotive: Optional[int]) -> Tuple[R
             energies[stamp] = (np.array(m.loco_energy_rail), np.array(m.loco_energy_rim), np.array(m.loco_energy_slip),
                                np.array([getattr(m, name) for name in ACCOUNT_FIELDS]))
         elif m.axles:
-            wheels[stamp] = (m.location, m.speed, [[getattr(axle, name) for name in AXLE_FIELDS] for axle in m.axles])
+            wheels[stamp] = (m.location, m.speed, [[getattr(axle, name) for name in AXLE_FIELDS] for axle in m.axles],
+                             _wheel_values(m))
     return states, energies, wheels
+
+
+def _wheel_values(m: AdhesionMessage) -> List[List[List[float]]]:
+    """By axle and side, left first: vertical and lateral force, T-gamma, number of contacts."""
+    values = [[[axle.vertical_force_left, axle.lateral_force_left, 0.0, 0],
+               [axle.vertical_force_right, axle.lateral_force_right, 0.0, 0]] for axle in m.axles]
+    for c in m.contacts:
+        wheel = values[c.axle - 1][int(c.right)]
+        wheel[2] += abs(c.longitudinal_force * c.creep_x + c.lateral_force * c.creep_y)
+        wheel[3] += 1
+    return values
 
 
 def _with_progress(path: str, bag: rosbag.Bag, topics: List[str]) -> Iterator[Tuple[str, genpy.Message]]:
@@ -151,9 +169,11 @@ def _make_adhesion(path: str, locomotive: Optional[int], wheels: Rows) -> Option
         return None
     stamps = sorted(wheels)
     try:
-        location_m, speed_mps, axles = (np.array(column, dtype=float) for column in zip(*(wheels[s] for s in stamps)))
+        location_m, speed_mps, axles, sides = (np.array(column, dtype=float)
+                                               for column in zip(*(wheels[s] for s in stamps)))
     except ValueError:  # ragged
         raise ReportError(f'{path}: the number of axles of locomotive {locomotive} changes within the bag: '
                           'simulate again') from None
     return Adhesion(locomotive=locomotive, time_s=(np.array(stamps) - FIRST_STAMP_NS) / 1e9, location_m=location_m,
-                    speed_mps=speed_mps, **{name: axles[:, :, i] for i, name in enumerate(AXLE_COLUMNS)})
+                    speed_mps=speed_mps, **{name: axles[:, :, i] for i, name in enumerate(AXLE_COLUMNS)},
+                    wheels=Wheels(*np.moveaxis(sides, -1, 0)) if sides[..., 3].any() else None)  # 2d reports no contacts

@@ -3,6 +3,7 @@ from typing import Any, Dict, List
 
 import numpy as np
 from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from train_viz import plot_style
@@ -11,6 +12,7 @@ from train_viz.run import Run
 
 KWH_PER_MJ = 1.0 / 3.6
 MARKED_CURVES = 2  # chosen: more marks make the legend unreadable
+SAME_PLACE_M = 1.0  # chosen: the end of a run this near to a mark needs no other
 
 
 def draw_traction_force(runs: List[Run]) -> Figure:
@@ -18,13 +20,13 @@ def draw_traction_force(runs: List[Run]) -> Figure:
     figure, axes = plt.subplots(figsize=(9.0, 5.6))
     plot_style.shade_curves(axes, runs)
     for i, run in enumerate(runs):
-        axes.plot(run.location_km, run.traction_N[:, 0] / 1e3, label=run.label, **plot_style.line_style(i))
-    limits = {read_adhesion_limit(run.resolved) for run in runs} - {None}
+        axes.plot(run.location_km, run.shown_traction_N / 1e3, label=run.label, **plot_style.line_style(i))
+    limits = {read_adhesion_limit(run.resolved, run.locomotive) for run in runs} - {None}
     for coefficient, force_N in sorted(limits):
         axes.axhline(force_N / 1e3, color='black', linestyle='--', linewidth=1.2,
                      label=f'adhesion limit {coefficient:g} m g = {force_N / 1e3:.1f} kN')
     plot_style.start_at_zero(axes)
-    axes.set_title('Traction force of the leading locomotive', pad=22)
+    axes.set_title(f'Traction force of {runs[0].whose}', pad=22)
     axes.set_ylabel('traction at the rail [kN]')
     plot_style.set_place_axis(axes, runs)
     plot_style.legend_below(figure, axes)
@@ -53,8 +55,8 @@ def draw_energy(runs: List[Run]) -> Figure:
     plot_style.start_at_zero(place)
     kwh = last.secondary_yaxis('right', functions=(lambda mj: mj * KWH_PER_MJ, lambda kwh: kwh / KWH_PER_MJ))
     kwh.set_ylabel('energy [kWh]')
-    figure.suptitle('Energy of the leading locomotive')
-    notes = []
+    figure.suptitle(f'Energy of {runs[0].whose}')
+    notes = _clip_racing(place, runs)
     if len(runs) > 1:
         notes.append('Less energy at equal place is no saving where the train is slower: compare at equal speed, too.')
     if any(run.rim_differs() for run in runs):
@@ -63,19 +65,30 @@ def draw_energy(runs: List[Run]) -> Figure:
     return figure
 
 
+def _clip_racing(axes: Axes, runs: List[Run]) -> List[str]:
+    """Work of racing wheels leaves the frame, lest it flatten the other lines; a note for each such run."""
+    racing = [run for run in runs if run.races()]
+    if not racing:
+        return []
+    axes.set_ylim(top=1.25e-6 * max(np.max(run.rail_J if run.races() else run.rim_J) for run in runs))
+    return [f'{run.label}: the wheels race, work at the rim goes on to {run.rim_J[-1] / 1e6:.0f} MJ beyond the frame.'
+            for run in racing]
+
+
 def _draw_energy_of(run: Run, panels: np.ndarray, style: Dict[str, Any], marks_m: List[float]) -> None:
-    lines = [('at the rail', run.loco_energy_rail_J[:, 0], '-')]
+    lines = [('at the rail', run.rail_J, '-')]
     if run.rim_differs():
-        lines.append(('at the rim', run.loco_energy_rim_J[:, 0], '--'))
+        lines.append(('at the rim', run.rim_J, '--'))
     for where, energy_J, dashes in lines:
         energy_MJ = energy_J / 1e6
-        marks = [(place, run.at_location(energy_MJ, place)) for place in marks_m]
+        marks = [(place, run.at_location(energy_MJ, place)) for place in marks_m
+                 if abs(place - run.location_m[-1]) > SAME_PLACE_M]
         marks.append((run.location_m[-1], energy_MJ[-1]))
         values = ', '.join(f'{energy:.1f} MJ at {place / 1e3:.3f} km' for place, energy in marks)
         label = f'{run.label} {where}: {values} ({run.time_s[-1]:.1f} s, {run.speed_kmph[-1]:.2f} km/h)'
         panels[0].plot(run.location_km, energy_MJ, dashes, label=label, **style)
         panels[0].plot([place / 1e3 for place, _ in marks], [energy for _, energy in marks], 'o',
-                       color=style['color'], markersize=4.5, clip_on=False)
+                       color=style['color'], markersize=4.5, clip_on=run.races())
         if len(panels) > 1:
             panels[1].plot(run.speed_kmph, energy_MJ, dashes, **style)
 
@@ -88,12 +101,13 @@ def draw_speed_notch(runs: List[Run]) -> Figure:
     plot_style.shade_curves(notch, runs, labels=False)
     for i, run in enumerate(runs):
         speed.plot(run.location_km, run.speed_kmph, label=run.label, **plot_style.line_style(i))
-        notch.step(run.location_km, run.notch[:, 0], where='post', **plot_style.line_style(i))
+        notch.step(run.location_km, run.notch[:, run.locomotive - 1], where='post', **plot_style.line_style(i))
     plot_style.start_at_zero(speed)
-    speed.set_title('Speed and notch of the leading locomotive', pad=22)
+    speed.set_title('Speed and notch of the leading locomotive' if runs[0].locomotive == 1 else
+                    f'Speed of the train and notch of {runs[0].whose}', pad=22)
     speed.set_ylabel('speed [km/h]')
     notch.set_ylabel('notch')
-    notches = np.concatenate([run.notch[:, 0] for run in runs])
+    notches = np.concatenate([run.notch[:, run.locomotive - 1] for run in runs])
     notch.set_ylim(min(notches.min(), 0.0) - 0.3, max(notches.max(), 8.0) + 0.4)
     notch.yaxis.set_major_locator(plt.MaxNLocator(integer=True))
     plot_style.set_place_axis(notch, runs)

@@ -12,13 +12,14 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 
-from train_viz.resolved_scenario import read_curves  # noqa: E402
+from train_viz.resolved_scenario import read_curves, read_rail_sections  # noqa: E402
 from train_viz.run import Run  # noqa: E402
 
 # Okabe and Ito (2008): distinguishable with every common colour blindness. Yellow is left out, too pale for a line.
 BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY = '#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9'
 LINE_COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, '#000000')
 CURVE_COLOUR = '0.55'
+SECTION_COLOUR = SKY
 PNG_DPI = 160
 
 plt.rcParams.update({
@@ -91,7 +92,9 @@ def set_place_axis(axes: Axes, runs: List[Run]) -> None:
 
 
 def shade_curves(axes: Axes, runs: List[Run], labels: bool = True) -> None:
-    """Shades the curves of all runs' tracks, transitions paler; labels above the frame as far as there is room."""
+    """Shades the curves of all runs' tracks, transitions paler; labels above the frame as far as there is room. And, hatched
+    with the name at the bottom, stretches of other rail."""
+    _shade_sections(axes, runs, labels)
     first, last = place_range_km(runs)
     curves = sorted({curve for run in runs for curve in read_curves(run.resolved)}, key=lambda c: c.start_m)
     free_from = first
@@ -107,6 +110,23 @@ def shade_curves(axes: Axes, runs: List[Run], labels: bool = True) -> None:
             axes.annotate(curve.label, (middle, 1.0), xycoords=('data', 'axes fraction'), xytext=(0, 3),
                           textcoords='offset points', ha='center', va='bottom', color='0.35', fontsize=11)
             free_from = middle + width
+
+
+def _shade_sections(axes: Axes, runs: List[Run], labels: bool) -> None:
+    first, last = place_range_km(runs)
+    sections = sorted({section for run in runs for section in read_rail_sections(run.resolved)})
+    free_from = first
+    for start, end, name in sections:
+        start, end = max(start / 1000.0, first), min(end / 1000.0, last)
+        if start >= end:
+            continue
+        axes.axvspan(start, end, facecolor=SECTION_COLOUR, alpha=0.22, linewidth=0, zorder=0)
+        axes.axvspan(start, end, facecolor='none', edgecolor=SECTION_COLOUR, hatch='//', alpha=0.5, linewidth=0, zorder=0)
+        if labels and (start + end) / 2.0 >= free_from:
+            axes.annotate(name, ((start + end) / 2.0, 0.0), xycoords=('data', 'axes fraction'), xytext=(0, 4),
+                          textcoords='offset points', ha='center', va='bottom', color='0.2', fontsize=11, zorder=7,
+                          bbox={'facecolor': 'white', 'edgecolor': 'none', 'alpha': 0.8, 'pad': 1.0})
+            free_from = (start + end) / 2.0 + 0.012 * len(name) * (last - first)  # 0.012: a letter at this font size
 
 
 def curve_ends_m(runs: List[Run]) -> List[float]:

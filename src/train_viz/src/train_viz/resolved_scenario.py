@@ -38,10 +38,24 @@ def read_curves(resolved: str) -> List[Curve]:
     return []
 
 
-def read_adhesion_limit(resolved: str) -> Optional[Tuple[float, float]]:
-    """The leading locomotive's adhesion limit as (coefficient [-], force [N]), or None."""
-    vehicle = _lookup(_load(resolved), 'train', 'groups', 0, 'vehicle')
+def read_rail_sections(resolved: str) -> List[Tuple[float, float, str]]:
+    """Stretches with a rail of their own: from [m], to [m], the name of the adhesion as far as its first comma."""
+    try:
+        return [(1000.0 * float(section['from_km']), 1000.0 * float(section['to_km']),
+                 str(_lookup(section, 'adhesion', 'name') or 'other rail').split(',')[0].strip())
+                for section in _lookup(_load(resolved), 'rail_sections') or []]
+    except (KeyError, TypeError, ValueError):
+        return []
+
+
+def read_adhesion_limit(resolved: str, locomotive: int = 1) -> Optional[Tuple[float, float]]:
+    """A locomotive's adhesion limit as (coefficient [-], force [N]), or None.
+
+    @param locomotive from 1 at the head
+    """
+    groups = _lookup(_load(resolved), 'train', 'groups')
     try:  # float(), as PyYAML takes 1.34e5 for a text
+        vehicle = _locomotive(groups, locomotive)
         coefficient = float(_lookup(vehicle, 'adhesion_limit'))
         mass_kg = float(_lookup(vehicle, 'mass_kg'))
     except (TypeError, ValueError):
@@ -60,6 +74,27 @@ def read_slip_limit(resolved: str) -> Optional[float]:
 def read_value(resolved: str, *path: Any) -> Any:
     """The value at a path of keys and indices, or None; numbers as YAML's reader gives them."""
     return _lookup(_load(resolved), *path)
+
+
+def _locomotive(groups: List[dict], number: int) -> Any:
+    """The vehicle of the number-th locomotive; only locomotives have an adhesion limit."""
+    for count, vehicle in _vehicles(groups):
+        if _lookup(vehicle, 'adhesion_limit') is not None:
+            if number <= count:
+                return vehicle
+            number -= count
+    return None
+
+
+def _vehicles(groups: List[dict]) -> Iterator[Tuple[int, Any]]:
+    """Count and vehicle from the head; groups may repeat a list of groups."""
+    for group in groups:
+        inner = _lookup(group, 'groups')
+        if isinstance(inner, list):
+            for _ in range(int(_lookup(group, 'repeat') or 1)):
+                yield from _vehicles(inner)
+        else:
+            yield int(_lookup(group, 'count') or 1), _lookup(group, 'vehicle')
 
 
 def _load(text: str) -> Any:

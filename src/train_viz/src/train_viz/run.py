@@ -48,6 +48,28 @@ class Run:
     loco_energy_slip_J: np.ndarray    # [row, locomotive], lost to slip between rim and rail
     account: Dict[str, np.ndarray]    # whole train: TrainEnergy's numbers by field name, [row]
     adhesion: Optional[Adhesion] = None  # of the first locomotive that has wheels on the rail; no locomotive of model 1d has
+    locomotive: int = 1               # that the figures show, from 1 at the head; place and speed are the leading one's
+
+    @property
+    def rail_J(self) -> np.ndarray:
+        """Of the locomotive shown, as the next three."""
+        return self.loco_energy_rail_J[:, self.locomotive - 1]
+
+    @property
+    def slip_J(self) -> np.ndarray:
+        return self.loco_energy_slip_J[:, self.locomotive - 1]
+
+    @property
+    def rim_J(self) -> np.ndarray:
+        return self.loco_energy_rim_J[:, self.locomotive - 1]
+
+    @property
+    def shown_traction_N(self) -> np.ndarray:
+        return self.traction_N[:, self.locomotive - 1]
+
+    @property
+    def whose(self) -> str:
+        return 'the leading locomotive' if self.locomotive == 1 else f'locomotive {self.locomotive}'
 
     @property
     def location_km(self) -> np.ndarray:
@@ -67,18 +89,30 @@ class Run:
         # 1e-4, chosen: a tenth of the width of a line in the figures.
         return bool(np.max(np.abs(self.loco_energy_rim_J - self.loco_energy_rail_J)) > 1e-4 * scale)
 
+    def races(self) -> bool:
+        """Whether wheels spin so much that the motors' work dwarfs what arrives: more than twice (chosen) the work at the rail."""
+        return bool(self.rim_J[-1] > 2.0 * max(self.rail_J[-1], 0.0) + 1e6)
+
     def speed_rises(self) -> bool:
         """Whether energy over speed is one readable line: the speed never drops by more than 2 % (chosen) of its maximum."""
         drop = np.max(np.maximum.accumulate(self.speed_mps) - self.speed_mps)
         return bool(drop <= 0.02 * np.max(np.abs(self.speed_mps)))
 
 
-def join_parts(parts: List[Run]) -> List[Run]:
-    """Joins bags of one run (LTD may close a bag and go on in the next) and gives every run a label of its own."""
+def join_parts(parts: List[Run], names: Optional[List[str]] = None) -> List[Run]:
+    """Joins bags of one run (LTD may close a bag and go on in the next) and gives every run a label of its own.
+
+    @param names labels of the runs, in their order; none: the scenarios' names, and what tells equal ones apart
+    """
     groups: Dict[Tuple[int, str, str], List[Run]] = {}
     for part in parts:
         groups.setdefault((part.run_id, part.build_id, part.resolved), []).append(part)
-    return _label([_join(group) for group in groups.values()])
+    runs = [_join(group) for group in groups.values()]
+    if not names:
+        return _label(runs)
+    if len(names) != len(runs) or len(set(names)) != len(names) or not all(names):
+        raise ReportError(f'{len(names)} --label for {len(runs)} run(s): give each run one, no two the same')
+    return [dataclasses.replace(run, label=name) for run, name in zip(runs, names)]
 
 
 def _join(parts: List[Run]) -> Run:
@@ -103,9 +137,21 @@ def _join(parts: List[Run]) -> Run:
 
 
 def _label(runs: List[Run]) -> List[Run]:
-    """The scenario's name is the label; where it is not enough the bag's name, then a number is added."""
+    """The scenario's name is the label; where several share it the bag's or the folder's name, if need be a number is added."""
     labels = [run.scenario or 'unnamed' for run in runs]
-    stems = [run.files[0].rsplit('/', 1)[-1].rsplit('.bag', 1)[0] for run in runs]
-    labels = [f'{label} ({stem})' if labels.count(label) > 1 else label for label, stem in zip(labels, stems)]
-    labels = [f'{label} #{i + 1}' if labels.count(label) > 1 else label for i, label in enumerate(labels)]
+    groups = {label: [run for run, other in zip(runs, labels) if other == label] for label in labels}
+    apart = {label: iter(_apart(group)) for label, group in groups.items()}
+    labels = [f'{label} ({next(apart[label])})' if len(groups[label]) > 1 else label for label in labels]
     return [dataclasses.replace(run, label=label) for run, label in zip(runs, labels)]
+
+
+def _apart(runs: List[Run]) -> List[str]:
+    """What tells the runs of one scenario apart: the bags' names, or the folders', or both, or a number."""
+    paths = [os.path.abspath(run.files[0]) for run in runs]
+    stems = [os.path.basename(path).rsplit('.bag', 1)[0] for path in paths]
+    folders = [os.path.basename(os.path.dirname(path)) for path in paths]
+    both = [f'{folder}/{stem}' for folder, stem in zip(folders, stems)]
+    for names in (stems, folders, both):
+        if len(set(names)) == len(names):
+            return names
+    return [f'{name} #{i}' for i, name in enumerate(both, start=1)]

@@ -9,26 +9,30 @@ from train_viz.run import Run
 TITLES = {  # by the beginning of a figure's name, in the order of the page
     'energy_flow': 'where the energy of the whole train goes, from the motors to the sinks',
     'energy_account': 'the same in bars and numbers',
-    'traction_force': 'traction at the rail of the leading locomotive over place',
-    'energy': 'energy of the leading locomotive over place and over speed',
+    'traction_force': 'traction at the rail over place',
+    'energy': 'energy over place and over speed',
     'speed_notch': 'speed and notch over place',
     'coupler_forces': 'in-train forces over time and coupler',
     'friction_adhesion': 'friction that the rail offers, adhesion used',
     'adhesion_creep': 'adhesion over creep, axle by axle',
     'adhesion_control': 'creep, torque and where the controller acts',
     'axle_loads': 'axle loads and slip losses',
+    'guiding_forces': 'guiding force, its ratio to the vertical force and lateral displacement, wheel by wheel',
+    'wheel_contacts': 'slip loss and number of contacts, wheel by wheel',
 }
 SECTIONS = (
     ('Energy', ('energy_flow', 'energy_account', 'energy')),
     ('Motion and forces', ('traction_force', 'speed_notch', 'coupler_forces')),
-    ('Wheel and rail', ('friction_adhesion', 'adhesion_creep', 'adhesion_control', 'axle_loads')),
+    ('Wheel and rail', ('friction_adhesion', 'adhesion_creep', 'adhesion_control', 'axle_loads',
+                        'guiding_forces', 'wheel_contacts')),
 )
 
 
 def run_page(runs: List[Run], pictures: Dict[str, str]) -> str:
     """@param pictures PNG file by name of the figure"""
     title = ', '.join(run.label for run in runs)
-    lead = [page.paragraph('The leading locomotive at the end of each run:'), _ends(runs)]
+    lead = [page.paragraph('The leading locomotive at the end of each run:' if runs[0].locomotive == 1 else
+                           f'Energy of {runs[0].whose} and place of the leading one at the end of each run:'), _ends(runs)]
     if len(runs) > 1:
         lead.append(page.notice('Less energy at one place is not a saving where the train is slower: compare speed and '
                                 'time, too.'))
@@ -52,8 +56,7 @@ def kind_of(name: str) -> str:
 
 def _ends(runs: List[Run]) -> str:
     rows = [[run.label, f'{run.location_km[-1]:.3f}', f'{run.time_s[-1]:.2f}', f'{run.speed_kmph[-1]:.2f}',
-             *(f'{energy_J[-1, 0] / 1e6:.2f}' for energy_J in
-               (run.loco_energy_rail_J, run.loco_energy_slip_J, run.loco_energy_rim_J)),
+             *(f'{energy_J[-1] / 1e6:.2f}' for energy_J in (run.rail_J, run.slip_J, run.rim_J)),
              f'{run.account["residual_relative"][-1]:+.1e}'] for run in runs]
     return page.table(['run', 'place [km]', 'time [s]', 'speed [km/h]', 'at the rail, Eq. (4) [MJ]', 'slip loss [MJ]',
                        'at the rim [MJ]', "account's residual / traction"], rows)
