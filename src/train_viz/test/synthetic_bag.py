@@ -8,7 +8,7 @@ from typing import Dict, Optional, Sequence
 import genpy
 import numpy as np
 import rosbag
-from train_msgs.msg import Adhesion, AxleAdhesion, RunConfiguration, TrainEnergy, TrainState
+from train_msgs.msg import Adhesion, AxleAdhesion, ContactAdhesion, RunConfiguration, TrainEnergy, TrainState
 
 PERIOD_S = 0.02  # telemetry at 50 Hz of simulation time
 LOCO_KG, WAGON_KG = 134e3, 120e3
@@ -92,6 +92,19 @@ def adhesion_message(rows: Dict[str, np.ndarray], axles: Dict[str, np.ndarray], 
     return m
 
 
+def add_contacts(m: Adhesion, i: int) -> None:
+    """As of the model 3d: the left wheels press 1 kN a wheelset outward, the right ones 2 kN; the first right wheel has two
+    contacts in rows 100 to 199, the last left one none from row 300 on."""
+    for number, axle in enumerate(m.axles, start=1):
+        axle.lateral_force_left, axle.lateral_force_right = -1e3 * number, 2e3 * number
+        axle.vertical_force_left = 0.0 if number == AXLES and i >= 300 else 100e3
+        axle.vertical_force_right = 80e3
+        for right in (False, True):
+            count = 2 if number == 1 and right and 100 <= i < 200 else int(right or axle.vertical_force_left > 0.0)
+            m.contacts += [ContactAdhesion(axle=number, right=right, longitudinal_force=1e3, creep_x=-0.07,
+                                           lateral_force=-2e3, creep_y=0.01)] * count
+
+
 def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: int) -> TrainEnergy:
     m = TrainEnergy()
     m.loco_energy_rail, m.loco_energy_rim = [rows['work'][i]] * locos, [rows['rim'][i]] * locos
@@ -107,10 +120,11 @@ def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: i
 
 def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: int = 5, run_id: int = 1,
               resolved: Optional[str] = None, format_version: int = 2, rows_from: int = 0, with_wheels: Sequence[int] = (),
-              period_s: float = PERIOD_S, **simulation) -> Dict:
+              period_s: float = PERIOD_S, contacts: bool = False, **simulation) -> Dict:
     """Writes a bag and returns what it holds: simulate()'s columns, the coupler forces and the axles' columns.
 
     @param with_wheels locomotives, from 1, that have an adhesion topic
+    @param contacts    they tell of contacts, as the model 3d does
     """
     rows = simulate(locos, wagons, period_s=period_s, **simulation)
     axles = axle_columns(rows)
@@ -126,6 +140,8 @@ def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: in
             messages = [('/train/state', state_message(rows, i, couplers, locos)),
                         ('/train/energy', energy_message(rows, i, mass, locos))]
             messages += [(f'/loco_{n}/adhesion', adhesion_message(rows, axles, i, n)) for n in with_wheels]
+            for _, message in messages[2:] if contacts else ():
+                add_contacts(message, i)
             for topic, message in messages:
                 message.header.stamp = stamp
                 bag.write(topic, message, stamp)

@@ -9,7 +9,7 @@ import rosbag
 import rosunit
 from std_msgs.msg import String
 
-from synthetic_bag import write_bag
+from synthetic_bag import AXLES, write_bag
 from train_viz.bag_reader import read_bag
 from train_viz.run import ReportError, join_parts
 
@@ -147,6 +147,50 @@ class BagReaderTest(unittest.TestCase):
         np.testing.assert_array_equal(run.adhesion.location_m, whole['location'])
         np.testing.assert_array_equal(run.adhesion.creep, whole['axles']['creep'])
         self.assertLess(len(first['time']), len(whole['time']))
+
+    def test_equal_bag_names_are_told_apart_by_their_folders(self):
+        folders = [os.path.join(os.path.dirname(self.path), name) for name in ('dry', 'wet')]
+        paths = [os.path.join(folder, 'same.bag') for folder in folders]
+        for run_id, path in enumerate(paths, start=1):
+            os.makedirs(os.path.dirname(path))
+            write_bag(path, run_id=run_id, duration_s=1.0)
+        self.assertEqual([run.label for run in join_parts([read_bag(path) for path in paths])],
+                         ['synthetic (dry)', 'synthetic (wet)'])
+
+    def test_labels_given_are_in_order_and_one_for_each_run(self):
+        write_bag(self.path, run_id=1, duration_s=1.0)
+        write_bag(self.other, run_id=2, duration_s=1.0)
+        parts = [read_bag(self.path), read_bag(self.other)]
+        self.assertEqual([run.label for run in join_parts(parts, ['b', 'a'])], ['b', 'a'])
+        for names in (['a'], ['a', 'a'], ['a', ''], ['a', 'b', 'c']):
+            with self.assertRaisesRegex(ReportError, '--label'):
+                join_parts(parts, names)
+
+    def test_wheels_of_a_locomotive_asked_for(self):
+        write_bag(self.path, duration_s=8.0, with_wheels=(1, 3), contacts=True)
+        run = read_bag(self.path, 3)
+        self.assertEqual((run.locomotive, run.adhesion.locomotive, run.whose), (3, 3, 'locomotive 3'))
+        self.assertAlmostEqual(run.location_m[0] - run.adhesion.location_m[0], 44.0, places=9)
+        self.assertIsNone(read_bag(self.path, 2).adhesion)
+        with self.assertRaisesRegex(ReportError, 'no locomotive 4: the train has 3'):
+            read_bag(self.path, 4)
+
+    def test_wheels_have_both_sides_and_sums_over_their_contacts(self):
+        write_bag(self.path, duration_s=8.0, with_wheels=(1,), contacts=True)
+        wheels = read_bag(self.path).adhesion.wheels
+        np.testing.assert_allclose(wheels.guiding_force_N[0], [[1e3 * n, 2e3 * n] for n in range(1, AXLES + 1)], rtol=1e-12)
+        np.testing.assert_allclose(wheels.lateral_over_vertical[0, 1], (0.02, 0.05), rtol=1e-12)
+        self.assertTrue(np.isnan(wheels.lateral_over_vertical[300, -1, 0]))
+        self.assertEqual(wheels.contacts[[99, 100, 199, 200], 0, 1].tolist(), [1, 2, 2, 1])
+        self.assertEqual(wheels.contacts[[299, 300], -1, 0].tolist(), [1, 0])
+        np.testing.assert_allclose(wheels.t_gamma_N[100, 0], (90.0, 180.0), rtol=1e-12)  # |1e3 (-0.07) - 2e3 0.01|
+
+    def test_parts_of_a_run_join_their_wheels(self):
+        write_bag(self.path, duration_s=8.0, with_wheels=(1,), contacts=True)
+        write_bag(self.other, duration_s=10.0, rows_from=200, with_wheels=(1,), contacts=True)
+        run, = join_parts([read_bag(self.path), read_bag(self.other)])
+        self.assertEqual(run.adhesion.wheels.contacts.shape, (len(run.adhesion.time_s), AXLES, 2))
+        self.assertEqual(run.adhesion.wheels.contacts[[199, 200, -1], 0, 1].tolist(), [2, 1, 1])
 
     def test_runs_of_one_scenario_get_labels_of_their_own(self):
         write_bag(self.path, run_id=1, duration_s=1.0)

@@ -76,6 +76,14 @@ class PaperComparisonTest(unittest.TestCase):
         self.directory = directory.name
         self.out = os.path.join(directory.name, 'out')
 
+    def test_page_says_why_signs_differ_only_where_they_do(self):
+        words = 'force falls into the curve, the paper&#x27;s rises'
+        self.assertNotIn(words, comparison_page(self.three, {}))  # 416 to 423 kN
+        page = comparison_page(self.four, {})
+        self.assertIn(f'3D two-point: {words}', page)  # 384 to 380 kN
+        self.assertEqual(page.count(words), 1)
+        self.assertNotIn('more than one contact.', page)  # these bags tell of none
+
     # ---- numbers
 
     def test_runs_come_in_the_papers_order_with_names_of_their_own(self):

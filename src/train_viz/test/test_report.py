@@ -95,6 +95,71 @@ class ReportTest(unittest.TestCase):
         self.assertIn('no couplers', result.stderr)
         self.assert_figures(*COMPARISONS, 'energy_flow_synthetic')
 
+    def test_3d_locomotive_gives_its_wheels_figures_under_the_label_given(self):
+        write_bag(self.bag, '3d', duration_s=60.0, with_wheels=(1, 2), contacts=True)
+        result = self.report(os.path.dirname(self.bag), '--out', self.out, '--label', 'mine', '--loco', '2')  # its folder
+        self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
+        self.assert_figures(*COMPARISONS, 'coupler_forces_mine', 'energy_flow_mine', 'friction_adhesion', *(
+            f'{name}_mine' for name in ('adhesion_creep', 'adhesion_control', 'axle_loads', 'guiding_forces',
+                                        'wheel_contacts')))
+
+    def test_folder_without_bag_and_locomotive_that_is_not_there_are_refused(self):
+        self.assert_refused(self.report(os.path.dirname(self.bag), '--out', self.out), 'is a folder without a .bag')
+        write_bag(self.bag, duration_s=1.0)
+        self.assert_refused(self.report(self.bag, '--out', self.out, '--loco', '4'), 'no locomotive 4', self.bag)
+        self.assert_refused(self.report(self.bag, '--out', self.out, '--label', 'a', '--label', 'b'), '--label')
+
+    def test_reader_that_goes_away_is_no_error(self):
+        write_bag(self.bag, duration_s=1.0)
+        read, write = os.pipe()
+        os.close(read)
+        result = subprocess.run([sys.executable, REPORT, self.bag, '--out', self.out], stdout=write, stderr=subprocess.PIPE,
+                                text=True, check=False)
+        os.close(write)
+        self.assertEqual((result.returncode, 'Error' in result.stderr), (0, False), result.stderr)
+
+    def test_locomotive_asked_for_is_drawn_and_named(self):
+        write_bag(self.bag, duration_s=60.0)
+        run = read_bag(self.bag, 2)
+        run.traction_N[:, 1] = 7e3
+        run.loco_energy_rail_J[:, 1] = 5e6
+        traction, energy = draw_traction_force([run]).axes[0], draw_energy([run])
+        self.assertEqual(set(traction.get_lines()[0].get_ydata()), {7.0})
+        self.assertEqual(traction.get_title(), 'Traction force of locomotive 2')
+        self.assertEqual(set(energy.axes[0].get_lines()[0].get_ydata()), {5.0})
+        self.assertEqual(energy._suptitle.get_text(), 'Energy of locomotive 2')
+
+    def test_rail_sections_are_shaded_and_named(self):
+        write_bag(self.bag, duration_s=60.0, resolved='rail_sections: [{from_km: 3.02, to_km: 3.05, adhesion: {name: wet}}]')
+        axes = draw_traction_force([read_bag(self.bag)]).axes[0]
+        self.assertEqual([text.get_text() for text in axes.texts], ['wet'])
+        spans = [patch.get_extents().transformed(axes.transData.inverted()) for patch in axes.patches]
+        for span in spans:
+            np.testing.assert_allclose((span.x0, span.x1), (3.02, 3.05), rtol=1e-9)
+        self.assertEqual(len(spans), 2)
+
+    def test_energy_has_one_mark_where_a_run_ends_at_the_end_of_a_curve(self):
+        for beyond_m, marks in ((0.2, 1), (40.0, 2)):
+            write_bag(self.bag, duration_s=1.0)
+            run = read_bag(self.bag)
+            run.location_m[:] = np.linspace(3000.0, 3600.0 + beyond_m, len(run.location_m))
+            line, points = draw_energy([run]).axes[0].get_lines()
+            self.assertEqual((len(points.get_xdata()), line.get_label().count(' MJ at ')), (marks, marks))
+
+    def test_racing_wheels_leave_the_frame_with_a_note(self):
+        write_bag(self.bag, 'calm', run_id=1, duration_s=60.0)
+        calm = read_bag(self.bag)
+        write_bag(self.bag, 'racing', run_id=2, wagons=105, duration_s=60.0, limit_N=300e3, slip=20.0)
+        racing = read_bag(self.bag)
+        energy, account = draw_energy([calm, racing]), draw_energy_account([calm, racing])
+        top = 1.25e-6 * max(calm.rim_J.max(), racing.rail_J.max())
+        self.assertAlmostEqual(energy.axes[0].get_ylim()[1], top, places=9)
+        self.assertIn(f'racing: the wheels race, work at the rim goes on to {racing.rim_J[-1] / 1e6:.0f} MJ',
+                      energy.legends[0].get_title().get_text())
+        self.assertAlmostEqual(account.axes[0].get_xlim()[1], 3.0 * top, places=6)  # three locomotives
+        self.assertIn(f'on to {3e-6 * racing.rim_J[-1]:.0f} MJ', account.axes[0].texts[0].get_text())
+        self.assertNotIn('race', draw_energy([calm]).legends[0].get_title().get_text())
+
     def test_traction_is_in_kN_over_km_with_the_limit(self):
         written = write_bag(self.bag, duration_s=60.0)
         axes = draw_traction_force([read_bag(self.bag)]).axes[0]

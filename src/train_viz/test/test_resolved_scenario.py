@@ -4,7 +4,7 @@ import unittest
 
 import rosunit
 
-from train_viz.resolved_scenario import Curve, read_adhesion_limit, read_curves, read_slip_limit
+from train_viz.resolved_scenario import Curve, read_adhesion_limit, read_curves, read_rail_sections, read_slip_limit
 
 TABLE = '''
 track:
@@ -65,6 +65,20 @@ class ResolvedScenarioTest(unittest.TestCase):
         coefficient, force_N = read_adhesion_limit(text)
         self.assertEqual(coefficient, 0.35)
         self.assertAlmostEqual(force_N, 460089.0, places=3)  # the paper's 460.09 kN
+
+    def test_adhesion_limit_of_a_locomotive_behind_wagons_and_repeated_groups(self):
+        loco = '{count: %d, vehicle: {mass_kg: %d, adhesion_limit: %g}}'
+        wagon = '{count: 5, vehicle: {mass_kg: 120000}}'
+        text = (f'train: {{groups: [{loco % (1, 100e3, 0.1)}, {{repeat: 2, groups: [{wagon}, {loco % (1, 100e3, 0.2)}]}}, '
+                f'{loco % (2, 100e3, 0.3)}]}}')
+        self.assertEqual([(read_adhesion_limit(text, number) or [None])[0] for number in range(1, 7)],
+                         [0.1, 0.2, 0.2, 0.3, 0.3, None])
+
+    def test_rail_sections_have_places_and_a_short_name(self):
+        text = 'rail_sections: [{from_km: 3.38, to_km: 3.46, adhesion: {name: "wet, Table 1"}}, {from_km: 4, to_km: 5}]'
+        self.assertEqual(read_rail_sections(text), [(3380.0, 3460.0, 'wet'), (4000.0, 5000.0, 'other rail')])
+        for other in ('', 'a: [', 'rail_sections: 7', 'rail_sections: [{from_km: x}]'):
+            self.assertEqual(read_rail_sections(other), [])
 
     def test_slip_limit_is_that_of_the_controller_if_there_is_one(self):
         self.assertEqual(read_slip_limit('control: {law: pi, slip_limit: 7e-2}'), 0.07)

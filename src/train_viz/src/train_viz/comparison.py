@@ -170,6 +170,14 @@ class Comparison:
                               100.0 * (self.energy_ratio(folder, base, place) - 1.0),
                               *_kind_against(base))
 
+    def wheels_with_more_contacts(self, folder: RunFolder, place_km: float) -> Optional[int]:
+        """How many wheels of the locomotive have more than one contact at a place; None of models without contacts."""
+        wheels = folder.run.adhesion
+        if wheels is None or wheels.wheels is None:
+            return None
+        row = min(int(np.searchsorted(wheels.location_km, place_km)), len(wheels.location_m) - 1)
+        return int((wheels.wheels.contacts[row] > 1).sum())
+
     def largest_difference(self, folder: RunFolder, base: RunFolder) -> tuple:
         """Place [km] and value [%] of the largest difference of force at the paper's places of Fig. 9."""
         found = [(place, self.force_against(folder, base, place)) for place in paper.FIG9_PLACES_KM]
