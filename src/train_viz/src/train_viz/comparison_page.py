@@ -99,9 +99,9 @@ def _curve_words(c: Comparison, folder: RunFolder) -> List[str]:
                                          f'{"has" if count in (0, 1) else "have"} more than one contact.')
     return [f'{folder.label}: force {"rises" if change > 0.0 else "falls"} into the curve, the paper\'s '
             f'{"falls" if change > 0.0 else "rises"}; hence the opposite signs of 2D against 3D there and of the energies.'
-            f'{contacts} The force in the curve depends on the profiles, on the size of the contact ellipses and on where a '
-            'second contact takes over: with one conformal contact a wheel, lateral creep and spin take their share of the '
-            'friction; the rise needs a second contact on the outer wheels. Nothing was tuned towards it.']
+            f'{contacts} The force in the curve depends on the profiles, on the size of the contact ellipses there (a smaller '
+            'one carries less at the same creep) and on where a second contact takes over; the paper gives none of them. '
+            'Nothing was tuned towards its values.']
 
 
 def _largest_words(c: Comparison) -> str:
