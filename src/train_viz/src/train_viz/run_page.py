@@ -17,7 +17,7 @@ TITLES = {  # by the beginning of a figure's name, in the order of the page
     'adhesion_creep': 'adhesion over creep, axle by axle',
     'adhesion_control': 'creep, torque and where the controller acts',
     'axle_loads': 'axle loads and slip losses',
-    'guiding_forces': 'guiding force, its ratio to the vertical force and lateral displacement, wheel by wheel',
+    'guiding_forces': 'guiding force and its ratio to the vertical force, wheel by wheel',
     'wheel_contacts': 'slip loss and number of contacts, wheel by wheel',
 }
 SECTIONS = (
