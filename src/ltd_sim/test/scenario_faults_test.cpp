@@ -248,10 +248,10 @@ TEST_F(ScenarioFaultTest, RefusesOptionsOf3dLocomotivesInATrainThatHasNone) {
 }
 
 TEST_F(ScenarioFaultTest, RefusesAFaultInTheScenariosProfilesOnceAndWithItsFile) {
-  replace("config/profiles/coned_1_20_uic60.yaml", "gauge_mm: 1435", "gauge_mm: 1424");
+  replace("config/profiles/coned_1_20_uic60.yaml", "gauge_mm: 1435", "gauge_mm: 1400");
   const auto lines = faults({}, "scenarios/paper_3d_two_point.yaml");
   EXPECT_EQ(lines.size(), 1u) << fixtures::joined(lines);
-  EXPECT_TRUE(fixtures::anyHas(lines, {"profiles/coned_1_20_uic60.yaml: gauge_mm = 1424: gauge too narrow"}))
+  EXPECT_TRUE(fixtures::anyHas(lines, {"profiles/coned_1_20_uic60.yaml: gauge_mm = 1400: gauge too narrow"}))
       << fixtures::joined(lines);
 }
 
