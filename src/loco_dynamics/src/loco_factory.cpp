@@ -44,11 +44,12 @@ rail::YamlReader readerAt(const rail::Document& document, const std::string& pat
   return reader;
 }
 
-std::shared_ptr<const ContactFinder> readFinder(rail::YamlReader reader, double wheel_radius_m) {
+WheelsOnRails readWheelsOnRails(rail::YamlReader reader, double wheel_radius_m) {
   const std::size_t before = reader.problems().count();
   const WheelRailGeometry geometry = WheelRailGeometry::read(reader, wheel_radius_m);
-  if (reader.problems().count() != before) return nullptr;
-  return std::make_shared<const ContactFinderOf<ContactSearch>>(ContactSearch(geometry));
+  if (reader.problems().count() != before) return {};
+  return {std::make_shared<const ContactFinderOf<ContactSearch>>(ContactSearch(geometry)),
+          geometry.computeClimbRise_m()};
 }
 
 /// The scenario's track, where a bogie's rigid wheelbase fits into all curves.
@@ -77,7 +78,14 @@ std::unique_ptr<Locomotive> makeLoco3d(rail::YamlReader& root, const LocoDetails
   p.structure = details.structure;
   p.track = readTrack(root, details.structure);
   if (p.track == nullptr) return nullptr;
-  p.finder = details.finder;
+  const SpatialOptions spatial = readSpatialOptions(root);
+  const std::size_t before = root.problems().count();
+  const WheelsOnRails wheels =
+      spatial.profiles ? readWheelsOnRails(*spatial.profiles, details.structure.wheel_radius_m) : details.wheels;
+  if (root.problems().count() != before) return nullptr;
+  p.finder = wheels.finder;
+  p.safety.climb_rise_m = wheels.climb_rise_m;
+  p.gravity_stiffness = spatial.gravity_stiffness;
   p.contact = {details.structure.wheel_radius_m, details.contact.normal_damping_N_s_per_m, details.contact.elasticity,
                details.contact.shear_modulus_Pa};
   p.rail = options.rail;
@@ -106,12 +114,21 @@ std::string readModelOr(rail::YamlReader& group, const std::string& scenario_mod
 
 bool hasContacts(const std::string& model) { return model != "1d"; }
 
-bool makesCurvingResistance(const std::string& model) { return model == "3d"; }
+bool isSpatial(const std::string& model) { return model == "3d"; }
+
+bool makesCurvingResistance(const std::string& model) { return isSpatial(model); }
 
 ModelOptions readModelOptions(rail::YamlReader& root, rail::Nanoseconds micro_step) {
   ModelOptions options;
   options.rail = readRailConditions(root);
   options.control = adhesion::readController(root.map("control"), micro_step);
+  return options;
+}
+
+SpatialOptions readSpatialOptions(rail::YamlReader& root) {
+  SpatialOptions options;
+  if (root.has("profiles")) options.profiles = root.map("profiles");
+  options.gravity_stiffness = root.booleanOr("gravity_stiffness", true);
   return options;
 }
 
@@ -164,8 +181,8 @@ LocoDetails readLocoDetails(rail::YamlReader& reader, const std::string& model, 
   const std::size_t problems_before = reader.problems().count();
   details.structure = LocoStructure::read(reader.map("bodies"));
   details.contact = PlanarContact::read(reader.map("contact"), details.structure.wheel_radius_m);
-  if (model == "3d" || reader.has("profiles"))
-    details.finder = readFinder(reader.map("profiles"), details.structure.wheel_radius_m);
+  if (isSpatial(model) || reader.has("profiles"))
+    details.wheels = readWheelsOnRails(reader.map("profiles"), details.structure.wheel_radius_m);
   if (reader.problems().count() == problems_before) checkRelations(reader, vehicle, details);
   return details;
 }
@@ -239,7 +256,7 @@ std::unique_ptr<Locomotive> makeLocomotive(const rail::Document& scenario, const
     checkMicroStep(root, computeMicroStepLimit(details), vehicle.name, micro_step);
   if (problems.count() == problems_before) checkController(root, options.control, details.structure, micro_step);
   if (problems.count() != problems_before) return nullptr;
-  if (model == "3d") return makeLoco3d(root, details, options, adhesion_limit, micro_step);
+  if (isSpatial(model)) return makeLoco3d(root, details, options, adhesion_limit, micro_step);
   return std::make_unique<Loco2d>(Loco2d::Parameters{details.structure, details.contact, options.rail, options.control,
                                                      adhesion_limit, micro_step});
 }

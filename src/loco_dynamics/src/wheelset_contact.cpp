@@ -34,6 +34,12 @@ void placeContact(const WheelsetMotion& motion, double wheel_radius_m, WheelsetC
 Vector6 alongSlip(const WheelsetContact::Contact& c) { return c.along.x() * c.J_x + c.along.y() * c.J_t; }
 Vector6 acrossSlip(const WheelsetContact::Contact& c) { return c.along.x() * c.J_t - c.along.y() * c.J_x; }
 
+/// The straight line of an implicit step may pass what the law cannot: a force keeps its direction, up to mu N.
+Eigen::Vector2d withinFriction(const Eigen::Vector2d& force_N, double largest_N) {
+  const double size_N = force_N.norm();
+  return size_N > largest_N ? Eigen::Vector2d(force_N * (largest_N / size_N)) : force_N;
+}
+
 /// Slope of the closed form (C10) over that at no creep; 0 at full slip.
 /// @param x  force over mu N if the law went on straight
 double relativeSlope(double x) {
@@ -139,8 +145,10 @@ void WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& cont
     const double along_N = -c.slope_N_s_per_m.x() * alongSlip(c).dot(change);  // (W5)
     const double across_N = -c.slope_N_s_per_m.y() * acrossSlip(c).dot(change);
     const Eigen::Vector2d implicit = along_N * c.along + across_N * Eigen::Vector2d(-c.along.y(), c.along.x());
-    c.creep_N += implicit;
-    load += c.J_x * implicit.x() + c.J_t * implicit.y();
+    const Eigen::Vector2d before = c.creep_N;
+    c.creep_N = withinFriction(before + implicit, c.friction * c.normal_N);
+    const Eigen::Vector2d added = c.creep_N - before;
+    load += c.J_x * added.x() + c.J_t * added.y();
   }
 }
 

@@ -146,6 +146,56 @@ TEST(LocoFactoryTest, A3dLocomotiveWithoutSoundProfilesIsRefused) {
   EXPECT_FALSE(lines.empty());
 }
 
+/// Traction [N] of the paper's 3D locomotive in the curve, after some steps of running free.
+double curvingForce(const std::string& scenario, const std::vector<rail::Override>& overrides) {
+  rail::Problems problems;
+  const rail::Document document =
+      rail::Document::load(std::string(CONFIG_DIR) + "/scenarios/" + scenario + ".yaml", overrides, problems);
+  const auto locomotive = loco::makeLocomotive(document, "train.groups.0.vehicle", problems);
+  problems.throwIfAny();
+  loco::LocoForce force;
+  force.step_length = 2000000;
+  loco::LocoTraction answer;
+  locomotive->step(locomotive->equilibriumState(3450.0, 8.85), force, answer);
+  return answer.traction_N;
+}
+
+TEST(LocoFactoryTest, TheScenariosProfilesTakeThePlaceOfTheLocomotivesOwn) {
+  const double own = curvingForce("paper_3d", {});
+  const double common = curvingForce("paper_3d_two_point", {});
+  EXPECT_NE(common, own);
+  EXPECT_EQ(common, curvingForce("paper_3d", {{"train.groups.0.vehicle.profiles.wheel", "coned_1_20"}}));
+}
+
+TEST(LocoFactoryTest, AProfileThatASetNamesIsANameAndNoFile) {
+  const auto lines = faultsOfThePapersLocomotive({{"train.groups.0.vehicle.profiles.wheel", "S1003"}}, "paper_3d");
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines.front().find("must be one of S1002, coned_1_20, or wheel_file"), std::string::npos) << lines.front();
+}
+
+TEST(LocoFactoryTest, TheScenariosProfilesAreCheckedWithTheirKey) {
+  const auto lines = faultsOfThePapersLocomotive({{"profiles.gauge_mm", "1300"}}, "paper_3d_two_point");
+  ASSERT_FALSE(lines.empty());
+  EXPECT_EQ(lines.front().substr(0, 24), "profiles.gauge_mm = 1300") << lines.front();
+}
+
+TEST(LocoFactoryTest, GravityStiffnessIsOnUnlessTheScenarioSaysNo) {
+  const auto read = [](const std::string& text) {
+    rail::Problems problems;
+    const rail::Document document = rail::Document::parse(text, "test.yaml", problems);
+    rail::YamlReader root(document, problems);
+    const bool on = loco::readSpatialOptions(root).gravity_stiffness;
+    root.finish();
+    problems.throwIfAny();
+    return on;
+  };
+  EXPECT_TRUE(read("{}"));
+  EXPECT_TRUE(read("gravity_stiffness: true"));
+  EXPECT_FALSE(read("gravity_stiffness: false"));
+  EXPECT_THROW(read("gravity_stiffness: 1"), std::exception);
+  EXPECT_NE(curvingForce("paper_3d", {{"gravity_stiffness", "false"}}), curvingForce("paper_3d", {}));
+}
+
 TEST(LocoFactoryTest, Only3dMakesItsCurvingResistanceItself) {
   EXPECT_FALSE(loco::makesCurvingResistance("1d"));
   EXPECT_FALSE(loco::makesCurvingResistance("2d"));

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 
 #include "contact_fixtures.hpp"
 #include "loco_dynamics/profile/standing_wheelset.hpp"
 #include "profile_fixtures.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -31,17 +33,18 @@ TEST(ProfileReferenceTest, RigidContactRadii) {
     ASSERT_TRUE(standing.stands);
     for (std::size_t side = 0; side < 2; ++side) {
       const double radius_mm = 1e3 * standing.wheel[side].patch[0].region.rolling_radius_m;
-      std::cout << "rigid y " << 2 * i << " side " << side << ": " << radius_mm << " mm, "
-                << radius_mm - expected_mm[i][side] << "\n";
-      // in the flange's root 1 um of height is 10 um of radius
-      EXPECT_NEAR(radius_mm, expected_mm[i][side], i == 3 && side == 1 ? 6e-3 : 2e-3);
+      const bool root = i == 3 && side == 1;
+      rail::verify({"11",
+                    "rigid radius, " + std::to_string(2 * i) + " mm to the right, " + (side == 0 ? "left" : "right"),
+                    "independent search", "mm", expected_mm[i][side], radius_mm, root ? 6e-3 : 2e-3,
+                    root ? "1 um of height is 10 um of radius in the flange's root" : "a patch 0.2 mm wide"});
     }
   }
 }
 
 TEST(ProfileReferenceTest, LoadedPatchesOfS1002OnUic60) {
   const loco::WheelsetStand stand(s1002(), {});
-  std::map<std::string, Distance> distances;
+  int count = 0;
   for (const auto& row : fixtures::readRows(std::string(TEST_DATA_DIR) + "/reference/profiles_s1002_uic60.csv")) {
     const auto standing = stand.compute({-1e-3 * numberAt(row, "y_ws_mm"), 0.0, numberAt(row, "Fz_N"), 0.3});
     ASSERT_TRUE(standing.stands);
@@ -57,27 +60,28 @@ TEST(ProfileReferenceTest, LoadedPatchesOfS1002OnUic60) {
     const double angle = std::abs(patch.region.angle_rad) - numberAt(row, "contact_angle_rad");
     const double radius_mm = 1e3 * patch.region.rolling_radius_m - numberAt(row, "roll_radius_profile_mm");
     const double normal = percent(patch.normal_N, numberAt(row, "FN_N"));
-    std::cout << "y " << row.at("y_ws_mm") << ' ' << row.at("wheel") << ": N " << normal << " %, area " << area
-              << " %, a/b " << aspect << " %, place " << place_mm << " mm, angle " << 1e3 * angle << " mrad, radius "
-              << radius_mm << " mm, roll " << 1e6 * (standing.pose.roll_rad - numberAt(row, "roll_rad")) << " urad\n";
-    distances["area"].add(area);
-    distances["aspect"].add(aspect);
-    distances["place"].add(place_mm);
-    distances["angle"].add(1e3 * angle);
-    distances["radius"].add(radius_mm);
-    distances["normal"].add(normal);
+    const double y_mm = numberAt(row, "y_ws_mm");
+    const bool root = y_mm > 5.0 && row.at("wheel") == "right";
+    const auto check = [&](const std::string& what, const char* unit, double expected, double deviation,
+                           double tolerance, double in_root) {
+      char place[64];
+      std::snprintf(place, sizeof place, "%g mm to the right, %s wheel: ", y_mm, row.at("wheel").c_str());
+      rail::verify({"11", place + what, "CONTACT v25.2", unit, expected, expected + deviation,
+                    root ? in_root : tolerance,
+                    root ? "flange's root, arcs of 13 mm: the angle turns by 77 mrad a mm"
+                         : "an ellipse for a patch that is none"});
+    };
+    const double FN_N = numberAt(row, "FN_N"), area_mm2 = numberAt(row, "area_mm2");
+    const double aspect_ref = numberAt(row, "a_area_mm") / numberAt(row, "b_area_mm");
+    check("normal force", "N", FN_N, 0.01 * normal * FN_N, 1e-3 * FN_N, 0.015 * FN_N);
+    check("area", "mm2", area_mm2, 0.01 * area * area_mm2, 0.03 * area_mm2, 0.05 * area_mm2);
+    check("a/b", "1", aspect_ref, 0.01 * aspect * aspect_ref, 0.05 * aspect_ref, 0.05 * aspect_ref);
+    check("place on the rail", "mm", numberAt(row, "rail_y_field_mm"), place_mm, 0.15, 0.1);
+    check("angle", "mrad", 1e3 * numberAt(row, "contact_angle_rad"), 1e3 * angle, 0.5, 6.0);
+    check("rolling radius", "mm", numberAt(row, "roll_radius_profile_mm"), radius_mm, 0.006, 0.04);
+    ++count;
   }
-  for (const auto& [name, distance] : distances) {
-    std::cout << name << ": largest " << distance.largest << ", rms " << distance.rms() << "\n";
-    EXPECT_EQ(distance.count, 8) << name;
-  }
-  // what an elliptic patch can do for patches that are none; the table has two digits of the angle
-  EXPECT_LE(distances["area"].largest, 5.0);
-  EXPECT_LE(distances["aspect"].largest, 6.0);
-  EXPECT_LE(distances["place"].largest, 0.2);
-  EXPECT_LE(distances["angle"].largest, 6.0);
-  EXPECT_LE(distances["radius"].largest, 0.04);
-  EXPECT_LE(distances["normal"].largest, 1.5);
+  EXPECT_EQ(count, 8);
 }
 
 /// S1002 with r0 460 mm, 10 kN a wheel, y and yaw to the right. Its terms do not let a copy go into this repository.
@@ -119,18 +123,22 @@ TEST(ProfileReferenceTest, ManchesterA22) {
     std::cout << name << ": largest " << distance.largest << ", rms " << distance.rms() << ", " << distance.count
               << "\n";
   }
-  EXPECT_LE(distances["tread place mm"].largest, 0.05);
-  EXPECT_LE(distances["tread ahead mm"].largest, 0.005);
-  EXPECT_LE(distances["tread angle mrad"].largest, 0.2);
-  EXPECT_LE(distances["tread N %"].largest, 0.1);
-  EXPECT_LE(distances["right tread place mm"].largest, 0.6);  // at 0.5 mm the patch lies across two arcs of the rail
-  EXPECT_LE(distances["right tread N %"].largest, 0.1);
-  EXPECT_LE(distances["flange place mm"].largest, 0.02);
-  EXPECT_LE(distances["flange ahead mm"].largest, 0.01);
-  EXPECT_LE(distances["flange angle mrad"].largest, 1.5);
-  EXPECT_LE(distances["flange N %"].largest, 0.6);
-  // at 5 mm CONTACT has one patch in the root, we have two; what they carry together is not compared
-  EXPECT_LE(distances["root place mm"].largest, 0.6);
+  const auto check = [&](const std::string& part, const std::string& what, const std::string& unit, double tolerance,
+                         const std::string& reason) {
+    rail::verify({"11", "largest deviation on the " + part + ": " + what, "Manchester benchmark A-2.2, by CONTACT",
+                  unit, 0.0, distances[part + " " + what + " " + unit].largest, tolerance, reason});
+  };
+  check("tread", "place", "mm", 0.05, "steps of the overlap's nodes");
+  check("tread", "ahead", "mm", 0.005, "last digits given");
+  check("tread", "angle", "mrad", 0.2, "0.05 mm on a crown of 300 mm");
+  check("tread", "N", "%", 0.1, "last digits given");
+  check("right tread", "place", "mm", 0.6, "at 0.5 mm the patch lies across two arcs of the rail");
+  check("right tread", "N", "%", 0.1, "last digits given");
+  check("flange", "place", "mm", 0.02, "last digits given");
+  check("flange", "ahead", "mm", 0.01, "last digits given");
+  check("flange", "angle", "mrad", 1.5, "0.02 mm on an arc of 13 mm");
+  check("flange", "N", "%", 0.6, "1.5 mrad on 70 degrees");
+  check("root", "place", "mm", 0.6, "at 5 mm CONTACT has one patch, we two; what both carry together is not compared");
 }
 
 }  // namespace

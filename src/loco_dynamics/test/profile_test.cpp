@@ -94,6 +94,14 @@ TEST(ProfileTest, RailStandsWhereGaugeAndInclinationPutIt) {
   EXPECT_NEAR(straight.rail().at(-0.009).z_m, straight.rail().at(0.009).z_m, 1e-9);
 }
 
+TEST(ProfileTest, AFlangeClimbsUpToTheEndOfItsSteepestPart) {
+  const double alike_m = 1e-4;  // where an arc of 20 mm has turned by 2 mrad, and the scan's step on 70 degrees
+  const loco::WheelRailGeometry s1002;
+  EXPECT_NEAR(s1002.computeClimbRise_m(), 1e-3 * loco::computeS1002Depth_mm(-39.764473), alike_m);
+  const loco::WheelRailGeometry cone(loco::makeWheelPoints("coned_1_20"), loco::makeRailPoints("UIC60"), {});
+  EXPECT_NEAR(cone.computeClimbRise_m(), s1002.computeClimbRise_m() - 2.119e-3, alike_m);
+}
+
 TEST(ProfileTest, NamesOfNoProfileGiveNoPoints) {
   EXPECT_TRUE(loco::makeWheelPoints("s1002").empty());
   EXPECT_TRUE(loco::makeRailPoints("S1002").empty());

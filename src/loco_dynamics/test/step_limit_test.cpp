@@ -53,6 +53,16 @@ TEST(StepLimitTest, AMaxwellDamperIsASpringIfStiffAndAnExplicitDamperIfSoft) {
   EXPECT_NEAR(loco::computeStepLimit(model).stable_s, 2.0 * 1e4 / 1e3, 0.05);
 }
 
+TEST(StepLimitTest, LateralRollAndYawMotionsBearTheStepThatThePlanarOnesBear) {
+  const loco::StepLimit planar = paperLimit({}, 1.82e9);
+  const loco::StepLimit spatial = loco::computeStepLimit(
+      loco::linearise(fixtures::paperStructure(),
+                      loco::allCoordinates({loco::kX, loco::kY, loco::kZ, loco::kRoll, loco::kPitch, loco::kYaw}),
+                      {1.82e9, 100e3, 0.75}, {loco::Branch::kStiffest, true}));
+  EXPECT_NEAR(spatial.stable_s, planar.stable_s, 1e-3 * planar.stable_s);
+  EXPECT_EQ(spatial.mode, planar.mode);  // wheels on rails
+}
+
 TEST(StepLimitTest, BelowTheLimitNothingGrowsAndBeyondItDoes) {
   const loco::LinearModel model = oneMass(4e6, 3000.0, 100.0);
   const double stable_s = loco::computeStepLimit(model).stable_s;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "loco_3d_fixtures.hpp"
@@ -174,6 +175,36 @@ TEST(WheelsetContactTest, CreepOfCleanSteelIsStableAtTheSpeedsFloor) {
   }
   EXPECT_LT(std::abs(motion.v[loco::kY]), 1e-4);
   EXPECT_LT(std::abs(motion.v[loco::kPitch] * kRadius_m - motion.v[loco::kX]), 2e-4);  // the loaded radius is smaller
+}
+
+TEST(WheelsetContactTest, CreepForceNeverPassesWhatFrictionOffersHoweverStiffTheCreep) {
+  loco::RailConditions rail = cleanRail();
+  rail.elsewhere.friction.mu0 = 0.05;
+  const WheelsetContact contact = contactOf(fixtures::ConedWheel{}, rail);
+  Vector6 inertia;
+  inertia << 3400.0, 3400.0, 3400.0, 2134.0, 1432.0, 2134.0;
+  WheelsetMotion motion = rolling(0.5);
+  motion.q[loco::kZ] = -1.1e-4;
+  WheelsetContact::Contacts contacts;
+  double largest_use = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    contact.compute(motion, contacts);
+    Vector6 load = Vector6::Zero();
+    load[loco::kY] = 15e3 * std::sin(0.05 * i);  // across and along: both components take their part
+    load[loco::kZ] = -kAxleLoad_N;
+    load[loco::kPitch] = 20e3;
+    WheelsetContact::addForces(inertia, 5e-4, contacts, load);
+    for (std::size_t k = 0; k < contacts.count; ++k) {
+      const WheelsetContact::Contact& c = contacts.list[k];
+      if (c.normal_N > 0.0) largest_use = std::max(largest_use, c.creep_N.norm() / (c.friction * c.normal_N));
+    }
+    motion.v += 5e-4 * load.cwiseQuotient(inertia);
+    motion.v[loco::kX] = 0.5;
+    motion.q += 5e-4 * motion.v;
+    motion.q[loco::kY] = 0.0;
+  }
+  EXPECT_LE(largest_use, 1.0 + 1e-12);
+  EXPECT_GT(largest_use, 0.99);
 }
 
 /// Wavelength of a free wheelset's motion, from its crossings of the track's centre.

@@ -121,6 +121,17 @@ Driver readDriver(rail::YamlReader reader, const TrainModel& train) {
   return Driver::read(reader, train.notch_groups, largest);
 }
 
+/// Refuses keys that do nothing in this train; leaves them alone if the train is not known.
+void refuseKeys(rail::YamlReader& root, const std::vector<std::string>& keys, bool train_known,
+                const std::string& reason) {
+  for (const std::string& key : keys) {
+    if (train_known)
+      root.refuseKey(key, reason + ": remove it, or choose another locomotive_model");
+    else
+      root.ignore(key);
+  }
+}
+
 /// What locomotives with contacts need; in a train without any of them these keys are of no use.
 /// @param train_known  the locomotives' models are known: without them nothing is asked for nor refused
 /// @return the sections of the rail
@@ -129,13 +140,14 @@ std::vector<loco::RailConditions::Section> readContactOptions(rail::YamlReader& 
   const std::vector<LocoUnit>& units = scenario.train.locomotives;
   const bool needed =
       std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::hasContacts(u.model); });
+  const bool spatial =
+      std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::isSpatial(u.model); });
+  if (spatial)
+    loco::readSpatialOptions(root);  // the profiles themselves, with a locomotive's wheel radius: checkLocomotives
+  else
+    refuseKeys(root, {"profiles", "gravity_stiffness"}, train_known, "is of use to 3D locomotives only");
   if (!needed) {
-    for (const char* const key : {"adhesion", "rail_sections", "control"}) {
-      if (train_known)
-        root.refuseKey(key, "is of no use to 1D locomotives: remove it, or choose another locomotive_model");
-      else
-        root.ignore(key);
-    }
+    refuseKeys(root, {"adhesion", "rail_sections", "control"}, train_known, "is of no use to 1D locomotives");
     return {};
   }
   return loco::readModelOptions(root, step_known ? scenario.micro_step : 0).rail.sections;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rail_core/testing/verification.hpp"
 #include "train_fixtures.hpp"
 
 namespace {
@@ -108,8 +109,10 @@ TEST(CouplerTest, ACycleInBuffAndOneInDraftDissipateTheSamePositiveEnergy) {
   const Coupler coupler(draftGear());
   const double draft_J = energyOfCycle(coupler, kSlackEnd + 0.100, kFast);
   const double buff_J = energyOfCycle(coupler, -kSlackEnd - 0.100, kFast);
-  EXPECT_NEAR(draft_J, (1.0 - 0.45) * kEnergy100, 1e-6 * kEnergy100);  // (1 - u) times the loading integral
-  EXPECT_NEAR(buff_J, draft_J, 1e-9 * draft_J);
+  rail::verify({"2", "the paper's coupler, drawn 100 mm and back: loss", "(1 - u) times the loading integral", "J",
+                (1.0 - 0.45) * kEnergy100, draft_J, 1e-6 * kEnergy100, "the sum of 200000 pieces"});
+  rail::verify({"2", "the paper's coupler, pushed 100 mm and back: loss", "the same in draft", "J", draft_J, buff_J,
+                1e-9 * draft_J, "round-off"});
 }
 
 TEST(CouplerTest, NeverMakesEnergyWhateverTheMotion) {

@@ -237,6 +237,24 @@ TEST_F(ScenarioFaultTest, RefusesARailSectionBeyondTheTrack) {
       << lines[0];
 }
 
+TEST_F(ScenarioFaultTest, RefusesOptionsOf3dLocomotivesInATrainThatHasNone) {
+  replace("config/scenarios/paper_3d_two_point.yaml", "locomotive_model: 3d", "locomotive_model: 2d");
+  const auto lines = faults({}, "scenarios/paper_3d_two_point.yaml");
+  EXPECT_EQ(lines.size(), 2u) << fixtures::joined(lines);
+  EXPECT_TRUE(fixtures::anyHas(lines, {"profiles", "is of use to 3D locomotives only: remove it"}))
+      << fixtures::joined(lines);
+  EXPECT_TRUE(fixtures::anyHas(lines, {"gravity_stiffness = true", "is of use to 3D locomotives only"}))
+      << fixtures::joined(lines);
+}
+
+TEST_F(ScenarioFaultTest, RefusesAFaultInTheScenariosProfilesOnceAndWithItsFile) {
+  replace("config/profiles/coned_1_20_uic60.yaml", "gauge_mm: 1435", "gauge_mm: 1400");
+  const auto lines = faults({}, "scenarios/paper_3d_two_point.yaml");
+  EXPECT_EQ(lines.size(), 1u) << fixtures::joined(lines);
+  EXPECT_TRUE(fixtures::anyHas(lines, {"profiles/coned_1_20_uic60.yaml: gauge_mm = 1400: gauge too narrow"}))
+      << fixtures::joined(lines);
+}
+
 TEST_F(ScenarioFaultTest, RefusesContactOptionsInATrainThatHasNoContacts) {
   replace("config/scenarios/wet_stretch.yaml", "locomotive_model: 2d", "locomotive_model: 1d");
   const std::vector<std::string> lines = faults({}, "scenarios/wet_stretch.yaml");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "adhesion_control/controller_factory.hpp"
@@ -27,6 +28,9 @@ std::string readModelOr(rail::YamlReader& group, const std::string& scenario_mod
 /// True if the model computes its bodies and contacts itself, so that it needs `adhesion`, `control`, `bodies`.
 bool hasContacts(const std::string& model);
 
+/// True if its bodies move in all directions, on wheels and rails with profiles: 3d.
+bool isSpatial(const std::string& model);
+
 /// True if its wheels make the curving resistance themselves, so that Eq. (6) must not be added: 3d.
 bool makesCurvingResistance(const std::string& model);
 
@@ -44,11 +48,26 @@ struct ModelOptions {
 /// @param micro_step  h [ns]; <= 0 if it is not known
 ModelOptions readModelOptions(rail::YamlReader& root, rail::Nanoseconds micro_step);
 
+/// What a scenario's root may say for 3D locomotives; a train without any of them must not have it.
+struct SpatialOptions {
+  std::optional<rail::YamlReader> profiles;  ///< of all 3D locomotives, in place of their own
+  bool gravity_stiffness = true;             ///< forces act at the displaced points
+};
+
+/// Asks the scenario's root for `profiles` (usually profiles_file) and `gravity_stiffness`, both optional.
+SpatialOptions readSpatialOptions(rail::YamlReader& root);
+
+/// A wheelset's profiles on their track.
+struct WheelsOnRails {
+  std::shared_ptr<const ContactFinder> finder;
+  double climb_rise_m = 0.0;  ///< see WheelRailGeometry
+};
+
 /// What a locomotive's own map says of its bodies and contacts.
 struct LocoDetails {
   LocoStructure structure;
-  PlanarContact::Parameters contact;            ///< its geometry is the 2D model's, its material that of all
-  std::shared_ptr<const ContactFinder> finder;  ///< from `profiles`; null if they are not there
+  PlanarContact::Parameters contact;  ///< its geometry is the 2D model's, its material that of all
+  WheelsOnRails wheels;               ///< from `profiles`; no finder if they are not there
 };
 
 /// Asks a locomotive's map for `bodies` and `contact`, which every model but 1d needs, and `profiles` (usually

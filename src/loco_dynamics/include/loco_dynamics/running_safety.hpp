@@ -11,8 +11,7 @@ namespace loco {
 /// Watches that wheels stay on their rails.
 struct RunningSafety {
   double lift_time_s = 0.1;      ///< chosen: longer than a wheel bounces off a joint
-  double climb_rise_m = 0.0157;  ///< of the rolling radius over nominal: where a flange gets less steep than its
-                                 ///< largest angle; S1002's is 70 degrees up to there
+  double climb_rise_m = 0.0157;  ///< WheelRailGeometry::computeClimbRise_m(), here that of S1002
   double drop_m = 0.04;          ///< chosen: a wheelset so far below nominal has fallen between its rails
 
   /// @param wheel_radius_m   nominal

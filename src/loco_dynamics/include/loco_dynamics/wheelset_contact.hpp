@@ -32,7 +32,7 @@ struct WheelsetMotion {
 ///   generalised forces on the wheelset: J_d transposed times the force along d                         (W4)
 /// The creep forces are linearly implicit in all six velocities of the wheelset: F = F_0 - S J (v_n+1 - v_n), S along
 /// the slip the slope of the closed form, across it min(k G a b C/V, mu N/slip); where S is not the law's own slope
-/// (spin, falling friction) the difference is of the order of the step.                                    (W5)
+/// (spin, falling friction) the difference is of the order of the step. No more than mu N a contact.       (W5)
 /// Not modelled: moment of spin about the contact's normal, speeds from a cant's run-off in the creepages, elasticity
 /// of the rail.
 class WheelsetContact {

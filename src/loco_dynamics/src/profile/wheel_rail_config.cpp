@@ -14,11 +14,12 @@ constexpr double kMetresPerMillimetre = 1e-3;
 ProfilePoints readProfile(rail::YamlReader& reader, ProfileKind kind) {
   const bool is_wheel = kind == ProfileKind::kWheel;
   const std::string key = is_wheel ? "wheel" : "rail";
-  const bool is_file = reader.has(key) && reader.file(key) != reader.file();
+  const std::string file = reader.has(key) ? reader.file(key) : "";
+  const bool is_file = file.size() > 4 && file.compare(file.size() - 4, 4, ".csv") == 0;  // not --set, not YAML
   const std::string text = reader.text(key);
   if (text.empty()) return {};  // has been reported
   if (is_file || text.find('\n') != std::string::npos) {
-    return readProfileCsv(kind, text, reader.file(key), reader.problems());
+    return readProfileCsv(kind, text, file, reader.problems());
   }
   const std::vector<std::string>& names = is_wheel ? wheelProfileNames() : railProfileNames();
   const ProfilePoints points = is_wheel ? makeWheelPoints(text) : makeRailPoints(text);

@@ -68,6 +68,17 @@ WheelRailGeometry::WheelRailGeometry(const ProfilePoints& wheel, const ProfilePo
 WheelRailGeometry::WheelRailGeometry(const WheelRailDimensions& dimensions)
     : WheelRailGeometry(makeWheelPoints("S1002"), makeRailPoints("UIC60"), dimensions) {}
 
+double WheelRailGeometry::computeClimbRise_m() const {
+  constexpr double kStep_m = 2e-5;
+  constexpr double kAlike_rad = 2e-3;  // chosen: what a spline leaves of a straight flank; 0.04 mm on an arc of 20 mm
+  const auto angle = [this](double y_m) { return std::atan(-wheel_.at(y_m).slope); };
+  double largest_rad = 0.0;
+  for (double y = wheel_.begin_m(); y < 0.0; y += kStep_m) largest_rad = std::max(largest_rad, angle(y));
+  double y_m = wheel_.begin_m();
+  while (angle(y_m) < largest_rad - kAlike_rad) y_m += kStep_m;
+  return wheel_.at(y_m).z_m;
+}
+
 std::vector<WheelRailGeometry::Misfit> WheelRailGeometry::findMisfits() const {
   std::vector<Misfit> misfits;
   const double flanges_m = 2.0 * (taping_line_m_ - flange_face_m_);

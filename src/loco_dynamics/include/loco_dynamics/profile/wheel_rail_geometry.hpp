@@ -40,6 +40,10 @@ class WheelRailGeometry {
   /// Whether flanges fit between the rails, treads stand on them, and the centred wheelset touches with its treads.
   std::vector<Misfit> findMisfits() const;
 
+  /// Rise of the rolling radius over that at the taping line where the flange, climbing, gets less steep than its
+  /// largest angle: 15.7 mm for S1002, which has 70 degrees up to there.
+  double computeClimbRise_m() const;
+
   const HeightTable& wheel() const { return wheel_; }  ///< from the flange's tip to the field side
   const HeightTable& rail() const { return rail_; }    ///< inclined, from its highest point
   double wheelRadius_m() const { return dimensions_.wheel_radius_m; }
