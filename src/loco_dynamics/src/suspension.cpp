@@ -9,10 +9,30 @@ namespace {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// What an axlebox sees of its wheelset's motion: everything but the spin.
-Vector6 withoutSpin(Vector6 x) {
-  x[kPitch] = 0.0;
-  return x;
+constexpr bool spins(const SpringDamper& e) { return e.spins_A; }
+template <typename Element>
+constexpr bool spins(const Element&) {
+  return false;
+}
+
+// Number by number: a vector of which one entry was just cleared cannot be loaded as a whole before that store is done,
+// and waiting for it took a third of the 2D locomotive's time.
+
+/// pointDisplacement of an axlebox, which sees everything of its wheelset's motion but the spin, or of another point.
+inline Eigen::Vector3d displacementOf(const Vector6& x, const Eigen::Vector3d& r, bool axlebox) {
+  const double pitch = axlebox ? 0.0 : x[kPitch];
+  return {x[kX] + (pitch * r.z() - x[kYaw] * r.y()), x[kY] + (x[kYaw] * r.x() - x[kRoll] * r.z()),
+          x[kZ] + (x[kRoll] * r.y() - pitch * r.x())};
+}
+
+/// A force with its moment about the body's CoG; an axlebox takes no moment about its axle.
+inline void addAt(Vector6& load, const Eigen::Vector3d& F, const Eigen::Vector3d& r, bool axlebox) {
+  load[kX] += F.x();
+  load[kY] += F.y();
+  load[kZ] += F.z();
+  load[kRoll] += r.y() * F.z() - r.z() * F.y();
+  if (!axlebox) load[kPitch] += r.z() * F.x() - r.x() * F.z();
+  load[kYaw] += r.x() * F.y() - r.y() * F.x();
 }
 
 /// Where the frames' gap puts a point of A, in B's frame.                                                  (S3)
@@ -22,13 +42,9 @@ Eigen::Vector3d gapMotion(const FrameGap::Parts& g, const Eigen::Vector3d& p_A) 
 }
 
 template <typename Element>
-Eigen::Vector3d relativeMotion(const Element& e, const BodyVector& x) {
-  return pointDisplacement(x[e.body_A], e.r_A) - pointDisplacement(x[e.body_B], e.r_B);
-}
-
-Eigen::Vector3d relativeMotion(const SpringDamper& e, const BodyVector& x) {
-  const Vector6 a = e.spins_A ? withoutSpin(x[e.body_A]) : x[e.body_A];
-  return pointDisplacement(a, e.r_A) - pointDisplacement(x[e.body_B], e.r_B);
+inline Eigen::Vector3d relativeMotion(const Element& e, const BodyVector& x) {
+  const Eigen::Vector3d a = displacementOf(x[e.body_A], e.r_A, spins(e)), b = displacementOf(x[e.body_B], e.r_B, false);
+  return {a.x() - b.x(), a.y() - b.y(), a.z() - b.z()};
 }
 
 template <typename Element>
@@ -38,7 +54,7 @@ Eigen::Vector3d pointInFrame(const Element& e, const FrameGap& gap) {
 
 /// Deflection of an element, from the bodies' displacements and the frames' gap.
 template <typename Element>
-Eigen::Vector3d deflection(const Element& e, const BodyVector& q, const Placement& placement) {
+inline Eigen::Vector3d deflection(const Element& e, const BodyVector& q, const Placement& placement) {
   if (placement.gaps == nullptr) return relativeMotion(e, q);
   const FrameGap& gap = (*placement.gaps)[gapIndex(e.body_A, e.body_B)];
   return relativeMotion(e, q) + gapMotion(gap.at, pointInFrame(e, gap));
@@ -46,30 +62,16 @@ Eigen::Vector3d deflection(const Element& e, const BodyVector& q, const Placemen
 
 /// Its rate, from the bodies' velocities.
 template <typename Element>
-Eigen::Vector3d deflectionRate(const Element& e, const BodyVector& v, const Placement& placement) {
+inline Eigen::Vector3d deflectionRate(const Element& e, const BodyVector& v, const Placement& placement) {
   if (placement.gaps == nullptr) return relativeMotion(e, v);
   const FrameGap& gap = (*placement.gaps)[gapIndex(e.body_A, e.body_B)];
   return relativeMotion(e, v) + gapMotion(gap.rate, pointInFrame(e, gap));
 }
 
-constexpr bool spins(const SpringDamper& e) { return e.spins_A; }
+/// Adds the force F on A, in the axes of B, and its reaction, where frames turn or ends are displaced.       (S3)
 template <typename Element>
-constexpr bool spins(const Element&) {
-  return false;
-}
-
-/// A force with its moment about the body's CoG; an axlebox takes no moment about its axle.
-void addAt(Vector6& load, const Eigen::Vector3d& F, const Eigen::Vector3d& r, bool axlebox) {
-  load.head<3>() += F;
-  Eigen::Vector3d moment = r.cross(F);
-  if (axlebox) moment.y() = 0.0;
-  load.tail<3>() += moment;
-}
-
-/// Adds the force F on A, in the axes of B, and its reaction.                                              (S3)
-template <typename Element>
-void addPair(const Element& e, const Eigen::Vector3d& F, const BodyVector& q, const Placement& placement,
-             BodyVector& loads) {
+void addTurnedPair(const Element& e, const Eigen::Vector3d& F, const BodyVector& q, const Placement& placement,
+                   BodyVector& loads) {
   Eigen::Vector3d F_on_A = F, F_on_B = -F, r_A = e.r_A, r_B = e.r_B;
   if (placement.gaps != nullptr) {
     const FrameGap::Parts& g = (*placement.gaps)[gapIndex(e.body_A, e.body_B)].at;
@@ -82,12 +84,27 @@ void addPair(const Element& e, const Eigen::Vector3d& F, const BodyVector& q, co
   if (placement.at_displaced_points) {  // both forces in one line, half-way between the displaced ends
     const Eigen::Vector3d d = deflection(e, q, placement);
     const Eigen::Vector2d on_A(spins(e) ? 0.0 : 0.5 * d.x(), 0.5 * d.y());  // an axlebox's stay above its axle
-    const Vector6 a = spins(e) ? withoutSpin(q[e.body_A]) : q[e.body_A];
-    r_A.head<2>() += a.tail<3>().cross(e.r_A).template head<2>() - on_A;
-    r_B.head<2>() += q[e.body_B].template tail<3>().cross(e.r_B).template head<2>() + d.head<2>() - on_A;
+    const Vector6 &q_A = q[e.body_A], &q_B = q[e.body_B];
+    const double pitch_A = spins(e) ? 0.0 : q_A[kPitch];
+    r_A.x() += pitch_A * e.r_A.z() - q_A[kYaw] * e.r_A.y() - on_A.x();
+    r_A.y() += q_A[kYaw] * e.r_A.x() - q_A[kRoll] * e.r_A.z() - on_A.y();
+    r_B.x() += q_B[kPitch] * e.r_B.z() - q_B[kYaw] * e.r_B.y() + d.x() - on_A.x();
+    r_B.y() += q_B[kYaw] * e.r_B.x() - q_B[kRoll] * e.r_B.z() + d.y() - on_A.y();
   }
   addAt(loads[e.body_A], F_on_A, r_A, spins(e));
   addAt(loads[e.body_B], F_on_B, r_B, false);
+}
+
+/// Adds the force F on A and its reaction.
+template <typename Element>
+inline void addPair(const Element& e, const Eigen::Vector3d& F, const BodyVector& q, const Placement& placement,
+                    BodyVector& loads) {
+  if (placement.gaps != nullptr || placement.at_displaced_points) {
+    addTurnedPair(e, F, q, placement, loads);
+    return;
+  }
+  addAt(loads[e.body_A], F, e.r_A, spins(e));
+  addAt(loads[e.body_B], -F, e.r_B, false);
 }
 
 /// The speed u of a damper whose force D(u) is that of the spring in series, K (e - h u), e its stretch if u were 0.

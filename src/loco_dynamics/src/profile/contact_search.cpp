@@ -19,49 +19,51 @@ class PeakFinder {
 
   void meet(double s_m, const Overlap::Value& here) {
     if (has_before_) {
-      if (before_.slope > 0.0 && here.slope <= 0.0) meetPeak(s_m, here);
-      if (before_.slope <= 0.0 && here.slope > 0.0) meetValley(s_m, here);
+      if (before_.tilt > 0.0 && here.tilt <= 0.0) meetPeak(s_m, here);
+      if (before_.tilt <= 0.0 && here.tilt > 0.0) meetValley(s_m, here);
     }
-    if (open_ && here.overlap_m <= 0.0) close(s_m, here.overlap_m);
-    if (!has_before_ || (!open_ && here.overlap_m <= 0.0)) left_ = {s_m, here.overlap_m};
+    if (open_ && here.depth_m <= 0.0) close(s_m, here);
+    if (!has_before_ || (!open_ && here.depth_m <= 0.0)) left_ = {s_m, here};
     before_s_m_ = s_m;
     before_ = here;
     has_before_ = true;
   }
   const OverlapPeaks& finish() {
-    if (open_) close(before_s_m_, before_.overlap_m);
+    if (open_) close(before_s_m_, before_);
     return peaks_;
   }
 
  private:
   struct End {
-    double s_m, e_m;
+    double s_m;
+    Overlap::Value value;
   };
   void meetPeak(double s_m, const Overlap::Value& here) {
     if (peaks_.count == kMostPeaks || cannotTouch(s_m, here)) return;
-    const double at_m = findFlatPlace(overlap_, before_s_m_, before_.slope, s_m, here.slope);
-    const double overlap_m = overlap_.at(at_m).overlap_m;
+    const double at_m = findFlatPlace(overlap_, before_s_m_, before_.tilt, s_m, here.tilt);
+    const double overlap_m = overlap_.at(at_m).overlap_m();
     if (overlap_m <= 0.0) return;
-    peaks_.peak[peaks_.count] = {at_m, overlap_m, left_.s_m, 0.0, left_.e_m, 0.0};
+    peaks_.peak[peaks_.count] = {at_m, overlap_m, left_.s_m, 0.0, left_.value.overlap_m(), 0.0};
     open_ = true;
   }
   /// True if a peak between the last two nodes stays below zero by far: it lies under both ends' tangents, and twice
   /// their rise leaves room for a curvature that changes.
   bool cannotTouch(double s_m, const Overlap::Value& here) const {
     const double step_m = s_m - before_s_m_;
-    return std::min(before_.overlap_m + 2.0 * before_.slope * step_m, here.overlap_m - 2.0 * here.slope * step_m) < 0.0;
+    return std::min(before_.overlap_m() + 2.0 * before_.slope() * step_m,
+                    here.overlap_m() - 2.0 * here.slope() * step_m) < 0.0;
   }
   void meetValley(double s_m, const Overlap::Value& here) {
     if (!open_) return;
-    const double at_m = findFlatPlace(overlap_, before_s_m_, before_.slope, s_m, here.slope);
-    close(at_m, overlap_.at(at_m).overlap_m);
+    const double at_m = findFlatPlace(overlap_, before_s_m_, before_.tilt, s_m, here.tilt);
+    close(at_m, overlap_.at(at_m));
   }
-  void close(double s_m, double overlap_m) {
+  void close(double s_m, const Overlap::Value& here) {
     peaks_.peak[peaks_.count].right_m = s_m;
-    peaks_.peak[peaks_.count].right_e_m = overlap_m;
+    peaks_.peak[peaks_.count].right_e_m = here.overlap_m();
     ++peaks_.count;
     open_ = false;
-    left_ = {s_m, overlap_m};
+    left_ = {s_m, here};
   }
 
   const Overlap& overlap_;
@@ -72,6 +74,22 @@ class PeakFinder {
   bool open_ = false;  ///< the last peak's stretch has no right end yet
   End left_{};         ///< where the next peak's stretch begins
 };
+
+template <std::size_t N>
+using Values = std::array<Overlap::Value, N>;
+
+template <typename Block, std::size_t N>
+void computeValues(const Overlap& overlap, const Block& block, Values<N>& values) {
+  Overlap::Lanes<N> lanes;
+  lanes.s_m = block.s_m;
+  lanes.wheel_z_m = block.wheel_z_m;
+  lanes.wheel_slope = block.wheel_slope;
+  lanes.wheel_slope_1pm = block.wheel_slope_1pm;
+  overlap.computeLanes(lanes);
+  for (std::size_t i = 0; i < N; ++i)
+    values[i] = Overlap::makeValue(lanes.d_m[i] - lanes.rail_z_m[i], lanes.y_slope[i], lanes.d_slope[i],
+                                   lanes.rail_slope[i], lanes.rail_slope_1pm[i]);
+}
 
 ContactRegion makeRegion(const Overlap& overlap, const RegionShape& shape, double share) {
   const Overlap::Place place = overlap.placeAt(shape.s_m);
@@ -90,12 +108,23 @@ ContactRegion makeRegion(const Overlap& overlap, const RegionShape& shape, doubl
 
 ContactSearch::ContactSearch(const WheelRailGeometry& geometry) : geometry_(geometry) {
   const HeightTable& wheel = geometry_.wheel();
-  for (double s_m = wheel.begin_m(); s_m < wheel.end_m();) {
+  std::size_t count = 0;
+  const auto add = [&](double s_m) {
+    if (count % kBlock == 0) blocks_.emplace_back();
     const HeightTable::Value value = wheel.at(s_m);
-    nodes_.push_back({s_m, value});
+    for (std::size_t i = count++ % kBlock; i < kBlock; ++i) {  // the last node fills its block
+      blocks_.back().s_m[i] = s_m;
+      blocks_.back().wheel_z_m[i] = value.z_m;
+      blocks_.back().wheel_slope[i] = value.slope;
+      blocks_.back().wheel_slope_1pm[i] = value.slope_1pm;
+    }
+    return value;
+  };
+  for (double s_m = wheel.begin_m(); s_m < wheel.end_m();) {
+    const HeightTable::Value value = add(s_m);
     s_m += kNodeDistance_m / std::sqrt(1.0 + value.slope * value.slope);
   }
-  nodes_.push_back({wheel.end_m(), wheel.at(wheel.end_m())});
+  add(wheel.end_m());
 }
 
 std::size_t ContactSearch::find(Side side, const WheelsetPose& pose,
@@ -109,10 +138,13 @@ std::size_t ContactSearch::find(Side side, const WheelsetPose& pose,
   const double first_m = geometry_.railTop_m() + geometry_.rail().begin_m() - kBeside_m - shift_m;
   const double last_m = geometry_.railTop_m() + geometry_.rail().end_m() + kBeside_m - shift_m;
   PeakFinder finder(overlap);
-  for (const Node& node : nodes_) {
-    if (node.s_m < first_m) continue;
-    if (node.s_m > last_m) break;
-    finder.meet(node.s_m, overlap.at(node.s_m, node.wheel));
+  Values<kBlock> values;
+  for (const Block& block : blocks_) {
+    if (block.s_m.back() < first_m) continue;
+    if (block.s_m.front() > last_m) break;
+    computeValues(overlap, block, values);
+    for (std::size_t i = 0; i < kBlock; ++i)
+      if (block.s_m[i] >= first_m && block.s_m[i] <= last_m) finder.meet(block.s_m[i], values[i]);
   }
   const BlendedRegions blended = blendRegions(overlap, finder.finish());
   for (std::size_t i = 0; i < blended.count; ++i) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "loco_dynamics/profile/contact_region.hpp"
 #include "loco_dynamics/profile/wheel_rail_geometry.hpp"
@@ -31,9 +33,16 @@ class Overlap {
     lead_ = -sin_yaw_ * cos_roll_ / length;
   }
 
+  /// Depth and slope at a place without the roots that its sign and its zeros do not need.
   struct Value {
-    double overlap_m;  ///< e
-    double slope;      ///< de/ds
+    double depth_m;        ///< e/cos(gamma)
+    double tilt;           ///< (de/ds)/cos^3(gamma)
+    double length_square;  ///< 1/cos^2(gamma)
+
+    double overlap_m() const { return depth_m / std::sqrt(length_square); }             ///< e
+    double slope() const { return tilt / (length_square * std::sqrt(length_square)); }  ///< de/ds
+    /// How far it is to e = 0 along the tangent: -e/(de/ds).
+    double newtonStep_m() const { return -depth_m * length_square / tilt; }
   };
   /// A place's full geometry.
   struct Place {
@@ -45,17 +54,32 @@ class Overlap {
     double rail_length;  ///< arc length along the rail per ds
   };
 
-  Value at(double s_m) const { return at(s_m, geometry_.wheel().at(s_m)); }
-  Value at(double s_m, const HeightTable::Value& wheel) const {
-    const Locus locus = computeLocus(s_m, wheel);
+  Value at(double s_m) const {
+    const Locus locus = computeLocus(s_m, geometry_.wheel().at(s_m));
     const HeightTable::Value rail = geometry_.rail().at(locus.y_m - geometry_.railTop_m());
-    const double cos_gamma = 1.0 / std::sqrt(1.0 + rail.slope * rail.slope);
-    const double depth = locus.d_m - rail.z_m;
-    const double cos_slope = -rail.slope * rail.slope_1pm * cos_gamma * cos_gamma * cos_gamma;
-    return {depth * cos_gamma,
-            (locus.d_slope - rail.slope * locus.y_slope) * cos_gamma + depth * cos_slope * locus.y_slope};
+    return makeValue(locus.d_m - rail.z_m, locus.y_slope, locus.d_slope, rail.slope, rail.slope_1pm);
   }
   Place placeAt(double s_m) const;
+
+  /// Several places at once: each loop over them does one thing, so that they share vector registers.
+  template <std::size_t N>
+  struct Lanes {
+    std::array<double, N> s_m;
+    std::array<double, N> wheel_z_m, wheel_slope, wheel_slope_1pm;  ///< of the profile
+    std::array<double, N> y_m, d_m, y_slope, d_slope;               ///< of the wheel's curve
+    std::array<double, N> rail_z_m, rail_slope, rail_slope_1pm;
+  };
+  /// Looks the wheel's profile up at s.
+  template <std::size_t N>
+  void lookUpWheel(Lanes<N>& lanes) const;
+  /// Computes curve and rail from s and the wheel's profile.
+  template <std::size_t N>
+  void computeLanes(Lanes<N>& lanes) const;
+  static Value makeValue(double depth_m, double y_slope, double d_slope, double rail_slope, double rail_slope_1pm) {
+    const double length_square = 1.0 + rail_slope * rail_slope;
+    return {depth_m, (d_slope - rail_slope * y_slope) * length_square - depth_m * rail_slope * rail_slope_1pm * y_slope,
+            length_square};
+  }
 
  private:
   struct Locus {
@@ -87,6 +111,34 @@ class Overlap {
   double sin_0_, cos_0_;  ///< of theta_0, where e_r has no x
   double lead_;           ///< sin(theta - theta_0) over r'
 };
+
+template <std::size_t N>
+void Overlap::lookUpWheel(Lanes<N>& lanes) const {
+  for (std::size_t i = 0; i < N; ++i) {
+    const HeightTable::Value wheel = geometry_.wheel().at(lanes.s_m[i]);
+    lanes.wheel_z_m[i] = wheel.z_m;
+    lanes.wheel_slope[i] = wheel.slope;
+    lanes.wheel_slope_1pm[i] = wheel.slope_1pm;
+  }
+}
+
+template <std::size_t N>
+void Overlap::computeLanes(Lanes<N>& lanes) const {
+  for (std::size_t i = 0; i < N; ++i) {
+    const Locus locus =
+        computeLocus(lanes.s_m[i], {lanes.wheel_z_m[i], lanes.wheel_slope[i], lanes.wheel_slope_1pm[i]});
+    lanes.y_m[i] = locus.y_m;
+    lanes.d_m[i] = locus.d_m;
+    lanes.y_slope[i] = locus.y_slope;
+    lanes.d_slope[i] = locus.d_slope;
+  }
+  for (std::size_t i = 0; i < N; ++i) {
+    const HeightTable::Value rail = geometry_.rail().at(lanes.y_m[i] - geometry_.railTop_m());
+    lanes.rail_z_m[i] = rail.z_m;
+    lanes.rail_slope[i] = rail.slope;
+    lanes.rail_slope_1pm[i] = rail.slope_1pm;
+  }
+}
 
 inline Overlap::Place Overlap::placeAt(double s_m) const {
   const HeightTable::Value wheel = geometry_.wheel().at(s_m);

@@ -4,24 +4,24 @@
 
 namespace loco {
 
-double findFlatPlace(const Overlap& overlap, double low_m, double low_slope, double high_m, double high_slope) {
+double findFlatPlace(const Overlap& overlap, double low_m, double low_tilt, double high_m, double high_tilt) {
   constexpr int kMostSteps = 12;
   constexpr double kNear_m = 1e-7;
   double at_m = low_m;
   for (int step = 0; step < kMostSteps; ++step) {
     const double before_m = at_m;
-    at_m = low_m - low_slope * (high_m - low_m) / (high_slope - low_slope);
+    at_m = low_m - low_tilt * (high_m - low_m) / (high_tilt - low_tilt);
     if (step > 0 && std::abs(at_m - before_m) < kNear_m) break;
-    const double slope = overlap.at(at_m).slope;
-    if ((slope > 0.0) == (high_slope > 0.0)) {
+    const double tilt = overlap.at(at_m).tilt;
+    if ((tilt > 0.0) == (high_tilt > 0.0)) {
       high_m = at_m;
-      high_slope = slope;
-      low_slope *= 0.5;  // so that the other end moves, too
+      high_tilt = tilt;
+      low_tilt *= 0.5;  // so that the other end moves, too
     } else {
       low_m = high_m;
-      low_slope = high_slope;
+      low_tilt = high_tilt;
       high_m = at_m;
-      high_slope = slope;
+      high_tilt = tilt;
     }
   }
   return at_m;
@@ -35,8 +35,8 @@ double findEdge(const Overlap& overlap, const OverlapPeak& peak, double end_m, d
   double at_m = inside_m + (end_m - inside_m) * std::sqrt(peak.overlap_m / (peak.overlap_m - end_e_m));
   for (int step = 0; step < kMostSteps; ++step) {
     const Overlap::Value value = overlap.at(at_m);
-    (value.overlap_m > 0.0 ? inside_m : outside_m) = at_m;
-    double next_m = at_m - value.overlap_m / value.slope;
+    (value.depth_m > 0.0 ? inside_m : outside_m) = at_m;
+    double next_m = at_m + value.newtonStep_m();
     if (!((next_m - inside_m) * (next_m - outside_m) <= 0.0)) next_m = 0.5 * (inside_m + outside_m);
     const double moved_m = std::abs(next_m - at_m);
     at_m = next_m;

@@ -58,33 +58,35 @@ Groups groupPeaks(const Overlap& overlap, const OverlapPeaks& peaks) {
   return groups;
 }
 
-/// The mean over all ways to cut of the shape of the piece that holds group i, and of the sum of its groups' masses.
-RegionShape computeMean(const Overlap& overlap, const OverlapPeaks& peaks, const Groups& groups, std::size_t i,
-                        const RegionShape& own, double& mean_mass) {
-  RegionShape mean;
-  mean_mass = 0.0;
-  double left_weight = 1.0;
-  for (std::size_t first = i + 1; first-- > 0;) {  // pieces from `first` to `last`, both sides of i
-    const double left_cut = first > 0 ? groups.group[first - 1].cut : 1.0;
-    double right_weight = 1.0;
-    for (std::size_t last = i; last < groups.count && left_weight * left_cut > 0.0; ++last) {
-      const double right_cut = last + 1 < groups.count ? groups.group[last].cut : 1.0;
-      const double weight = left_weight * left_cut * right_weight * right_cut;
+/// For each group the mean, over all ways to cut, of its piece's shape and of the sum of that piece's masses.
+struct Means {
+  std::array<RegionShape, kMostPeaks> shape;
+  std::array<double, kMostPeaks> mass{};
+};
+
+Means computeMeans(const Overlap& overlap, const OverlapPeaks& peaks, const Groups& groups,
+                   const std::array<RegionShape, kMostPeaks>& own) {
+  Means means;
+  for (std::size_t first = 0; first < groups.count; ++first) {
+    double uncut_weight = first > 0 ? groups.group[first - 1].cut : 1.0, mass = 0.0;
+    for (std::size_t last = first; last < groups.count && uncut_weight > 0.0; ++last) {  // a piece: first to last
+      const Group& group = groups.group[last];
+      const double cut = last + 1 < groups.count ? group.cut : 1.0;
+      const double weight = uncut_weight * cut;
+      mass += group.mass;
       if (weight > 0.0) {
-        const bool alone = first == i && last == i;
-        mean.add(
-            alone ? own
-                  : computeShape(computeRegionSums(overlap, peaks, groups.group[first].first, groups.group[last].last)),
-            weight);
-        for (std::size_t j = first; j <= last; ++j) mean_mass += weight * groups.group[j].mass;
+        const RegionShape shape =
+            first == last ? own[first]
+                          : computeShape(computeRegionSums(overlap, peaks, groups.group[first].first, group.last));
+        for (std::size_t i = first; i <= last; ++i) {
+          means.shape[i].add(shape, weight);
+          means.mass[i] += weight * mass;
+        }
       }
-      right_weight *= 1.0 - right_cut;
-      if (right_weight == 0.0) break;
+      uncut_weight *= 1.0 - cut;
     }
-    left_weight *= 1.0 - left_cut;
-    if (left_weight == 0.0) break;
   }
-  return mean;
+  return means;
 }
 
 /// Takes the least region out until three are left.
@@ -111,21 +113,24 @@ BlendedRegions blendRegions(const Overlap& overlap, const OverlapPeaks& peaks) {
   BlendedRegions regions;
   if (peaks.count == 0) return regions;
   Groups groups = groupPeaks(overlap, peaks);
-  std::array<RegionShape, kMostPeaks> own, shapes;
-  std::array<double, kMostPeaks> share{};
+  std::array<RegionShape, kMostPeaks> own;
   for (std::size_t i = 0; i < groups.count; ++i) {
     const RegionSums sums = computeRegionSums(overlap, peaks, groups.group[i].first, groups.group[i].last);
     groups.group[i].mass = sums.mass;
     own[i] = computeShape(sums);
   }
-  for (std::size_t i = 0; i < groups.count; ++i) {
-    double mean_mass = 0.0;
-    shapes[i] = groups.count == 1 ? own[i] : computeMean(overlap, peaks, groups, i, own[i], mean_mass);
-    share[i] = groups.count == 1 ? 1.0 : groups.group[i].mass / mean_mass;  // (W6)
+  if (groups.count == 1) {
+    regions.shape[0] = own[0];
+    regions.share[0] = 1.0;
+    regions.count = 1;
+    return regions;
   }
-  keepLargest(shapes, share, groups);
+  Means means = computeMeans(overlap, peaks, groups, own);
+  std::array<double, kMostPeaks> share{};
+  for (std::size_t i = 0; i < groups.count; ++i) share[i] = groups.group[i].mass / means.mass[i];  // (W6)
+  keepLargest(means.shape, share, groups);
   for (; regions.count < groups.count; ++regions.count) {
-    regions.shape[regions.count] = shapes[regions.count];
+    regions.shape[regions.count] = means.shape[regions.count];
     regions.share[regions.count] = share[regions.count];
   }
   return regions;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "loco_dynamics/profile/contact_region.hpp"
@@ -22,13 +23,13 @@ class ContactSearch {
   const WheelRailGeometry& geometry() const { return geometry_; }
 
  private:
-  /// A place of the wheel at which the search looks first, with what does not depend on the pose.
-  struct Node {
-    double s_m;
-    HeightTable::Value wheel;
+  static constexpr std::size_t kBlock = 8;
+  /// Places of the wheel (nodes) at which the search looks first, with what does not depend on the pose.
+  struct Block {
+    std::array<double, kBlock> s_m, wheel_z_m, wheel_slope, wheel_slope_1pm;
   };
   WheelRailGeometry geometry_;
-  std::vector<Node> nodes_;  ///< even along the wheel's surface, from the flange's tip to the field side
+  std::vector<Block> blocks_;  ///< even along the wheel's surface, from the flange's tip to the field side
 };
 
 }  // namespace loco
