@@ -25,8 +25,8 @@ void TrackFrames::place(const BodyVector& q) {
     const rail::TrackCant cant = track_->cant(frame.s_m, kCantWindow_m, hints_[i]);
     frame.roll_rad = cant.left_m / kRailDistance_m;
     frame.roll_slope_1pm = cant.slope / kRailDistance_m;
-    frame.rise_m = 0.5 * std::abs(cant.left_m);  // it turns about the inner rail
-    frame.rise_slope = cant.left_m < 0.0 ? -0.5 * cant.slope : 0.5 * cant.slope;
+    frame.rise_m = 0.5 * cant.outer_m;  // it turns about the inner rail
+    frame.rise_slope = 0.5 * cant.outer_slope;
   }
 }
 

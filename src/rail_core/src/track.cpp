@@ -55,7 +55,7 @@ void Track::build(const TrackProfile& profile) {
     }
     const Segment grade = grades.from(s_m), curvature = curvatures.from(s_m), cant = cants.from(s_m);
     pieces_.push_back({s_m, grade.value, grade.slope, curvature.value, curvature.slope, cant.value, cant.slope,
-                       limits.from(s_m).value, height_m, 0.0, 0.0, 0.0});
+                       limits.from(s_m).value, height_m, 0.0, 0.0, 0.0, 0.0});
   }
   buildCant();
 }

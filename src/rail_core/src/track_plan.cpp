@@ -20,16 +20,18 @@ void Track::buildCant() {
     if (side[i - 1] == 0.0) side[i - 1] = side[i];
   for (std::size_t i = 1; i < pieces_.size(); ++i)
     if (side[i] == 0.0) side[i] = side[i - 1];
-  double integral_m2 = 0.0;
+  double integral_m2 = 0.0, outer_integral_m2 = 0.0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     Piece& piece = pieces_[i];
     piece.left_cant_m = side[i] * piece.cant_m;
     piece.left_cant_slope = side[i] * piece.cant_slope;
     piece.left_cant_integral_m2 = integral_m2;
+    piece.cant_integral_m2 = outer_integral_m2;
     canted_ = canted_ || piece.cant_m != 0.0 || piece.cant_slope != 0.0;
     if (i + 1 == pieces_.size()) break;
     const double length_m = pieces_[i + 1].s_m - piece.s_m;
     integral_m2 += (piece.left_cant_m + 0.5 * piece.left_cant_slope * length_m) * length_m;
+    outer_integral_m2 += (piece.cant_m + 0.5 * piece.cant_slope * length_m) * length_m;
   }
 }
 
@@ -72,16 +74,24 @@ TrackStretch Track::stretch(double from_m, double to_m, std::size_t& hint) const
 TrackCant Track::cant(double s_m, double window_m, std::size_t& hint) const {
   if (!canted_) return {};
   hint = findPiece(s_m, hint);
-  double cant_m[2], integral_m2[2];
+  struct End {
+    double left_m, left_integral_m2, outer_m, outer_integral_m2;
+  } ends[2];
   for (int end = 0; end < 2; ++end) {
     const double at_m = s_m + (end == 0 ? -0.5 : 0.5) * window_m;
     const Piece& piece = pieces_[findPiece(at_m, hint)];
     const double beyond_m = at_m - piece.s_m;
-    const double slope = beyond_m < 0.0 ? 0.0 : piece.left_cant_slope;
-    cant_m[end] = piece.left_cant_m + slope * beyond_m;
-    integral_m2[end] = piece.left_cant_integral_m2 + (piece.left_cant_m + 0.5 * slope * beyond_m) * beyond_m;
+    const double inside = beyond_m < 0.0 ? 0.0 : 1.0;  // before the start the value there holds
+    const double left_slope = inside * piece.left_cant_slope, outer_slope = inside * piece.cant_slope;
+    ends[end] = {piece.left_cant_m + left_slope * beyond_m,
+                 piece.left_cant_integral_m2 + (piece.left_cant_m + 0.5 * left_slope * beyond_m) * beyond_m,
+                 piece.cant_m + outer_slope * beyond_m,
+                 piece.cant_integral_m2 + (piece.cant_m + 0.5 * outer_slope * beyond_m) * beyond_m};
   }
-  return {(integral_m2[1] - integral_m2[0]) / window_m, (cant_m[1] - cant_m[0]) / window_m};  // (T10)
+  return {(ends[1].left_integral_m2 - ends[0].left_integral_m2) / window_m,
+          (ends[1].left_m - ends[0].left_m) / window_m,
+          (ends[1].outer_integral_m2 - ends[0].outer_integral_m2) / window_m,
+          (ends[1].outer_m - ends[0].outer_m) / window_m};
 }
 
 }  // namespace rail

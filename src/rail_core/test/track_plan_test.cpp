@@ -107,4 +107,29 @@ TEST(TrackPlanTest, CantBendsGraduallyOverItsWindow) {
   }
 }
 
+TEST(TrackPlanTest, TheOuterRailsHeightBendsGraduallyWhereTheCurveTurnsTheOtherWay) {
+  const TrackReading reading = readTrack(
+      "name: t\nstart_km: 0\nend_km: 1\ngrades: [{from_km: 0, grade_permille: 0}]\ncurves:\n"
+      "  - {start_km: 0.1, radius_m: 300, direction: left, transition_in_m: 50, circular_m: 50, transition_out_m: 50, "
+      "cant_mm: 150}\n"
+      "  - {start_km: 0.25, radius_m: 300, direction: right, transition_in_m: 50, circular_m: 50, transition_out_m: "
+      "50, "
+      "cant_mm: 150}\nspeed_limits: [{from_km: 0, limit_kmph: 80}]\n");
+  ASSERT_TRUE(reading.faults.empty());
+  std::size_t hint = 0;
+  double last = reading.track.cant(247.0, 3.0, hint).outer_slope;
+  EXPECT_NEAR(last, -0.003, 1e-12);
+  for (int i = 1; i <= 600; ++i) {
+    const double s_m = 247.0 + 0.01 * i;
+    const rail::TrackCant cant = reading.track.cant(s_m, 3.0, hint);
+    EXPECT_NEAR(cant.outer_slope, last, 0.006 / 3.0 * 0.01 + 1e-12) << s_m;  // from -3 to +3 mm/m over the window
+    EXPECT_GE(cant.outer_m, std::abs(cant.left_m) - 1e-12) << s_m;
+    last = cant.outer_slope;
+  }
+  EXPECT_NEAR(last, 0.003, 1e-12);
+  EXPECT_NEAR(reading.track.cant(250.0, 3.0, hint).outer_m, 0.003 * 0.75, 1e-12);  // mean of 3 mm/m |s| over +-1.5 m
+  EXPECT_NEAR(reading.track.cant(250.0, 3.0, hint).left_m, 0.0, 1e-12);
+  EXPECT_NEAR(reading.track.cant(175.0, 3.0, hint).outer_m, 0.150, 1e-12);
+}
+
 }  // namespace

@@ -13,11 +13,11 @@ namespace loco {
 ///
 /// The wheel is a surface of revolution. Of the circle of each profile point only that point can touch the rail, which
 /// is straight, where the surface's normal has no component along x:
-///   e_r . x = r'(s) e_a . x,    e_a axle's direction to the left, e_r from the axle to the point          (W1)
+///   e_r . x = r'(s) e_a . x,    e_a axle's direction to the left, e_r from the axle to the point          (G1)
 /// These points are a curve (y(s), d(s)), d down; for a yawed wheelset it runs ahead of the axle where the wheel is
 /// steep. The overlap is its depth below the rail's surface, taken along the rail's normal:
-///   e(s) = (d - z_rail(y)) cos(gamma),    tan(gamma) = z_rail'(y)                                         (W2)
-/// Source: Wang's trace line for (W1), as in Shabana, Zaazaa, Sugiyama, Railroad Vehicle Dynamics, 2008.
+///   e(s) = (d - z_rail(y)) cos(gamma),    tan(gamma) = z_rail'(y)                                         (G2)
+/// Source: Wang's trace line for (G1), as in Shabana, Zaazaa, Sugiyama, Railroad Vehicle Dynamics, 2008.
 class Overlap {
  public:
   Overlap(const WheelRailGeometry& geometry, const WheelsetPose& pose)
@@ -89,7 +89,7 @@ class Overlap {
   };
   Locus computeLocus(double s_m, const HeightTable::Value& wheel) const {
     const double r = geometry_.wheelRadius_m() + wheel.z_m, arm = geometry_.tapingLine_m() + s_m;
-    const double q = lead_ * wheel.slope, root = std::sqrt(1.0 - q * q);  // sine, cosine of theta - theta_0, (W1)
+    const double q = lead_ * wheel.slope, root = std::sqrt(1.0 - q * q);  // sine, cosine of theta - theta_0, (G1)
     const double sin_theta = q * cos_0_ + root * sin_0_, cos_theta = root * cos_0_ - q * sin_0_;
     const double theta_slope = lead_ * wheel.slope_1pm / root;
     const double across = cos_theta * cos_yaw_ * sin_roll_ + sin_theta * sin_yaw_;

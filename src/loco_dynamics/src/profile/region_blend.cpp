@@ -38,7 +38,7 @@ double computeCut(const Overlap& overlap, const OverlapPeak& left, const Overlap
   const double depth = step(1.0 - std::max(valley_m, 0.0) / lower_m, kOneAboveDepth, kTwoBelowDepth);
   if (depth == 0.0) return 0.0;
   const Overlap::Place a = overlap.placeAt(left.s_m), b = overlap.placeAt(right.s_m);
-  return depth * step(std::hypot(b.y_m - a.y_m, b.rail_z_m - a.rail_z_m), kOneBelow_m, kTwoBeyond_m);  // (W5)
+  return depth * step(std::hypot(b.y_m - a.y_m, b.rail_z_m - a.rail_z_m), kOneBelow_m, kTwoBeyond_m);  // (G5)
 }
 
 Groups groupPeaks(const Overlap& overlap, const OverlapPeaks& peaks) {
@@ -127,7 +127,7 @@ BlendedRegions blendRegions(const Overlap& overlap, const OverlapPeaks& peaks) {
   }
   Means means = computeMeans(overlap, peaks, groups, own);
   std::array<double, kMostPeaks> share{};
-  for (std::size_t i = 0; i < groups.count; ++i) share[i] = groups.group[i].mass / means.mass[i];  // (W6)
+  for (std::size_t i = 0; i < groups.count; ++i) share[i] = groups.group[i].mass / means.mass[i];  // (G6)
   keepLargest(means.shape, share, groups);
   for (; regions.count < groups.count; ++regions.count) {
     regions.shape[regions.count] = means.shape[regions.count];

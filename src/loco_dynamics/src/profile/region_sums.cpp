@@ -72,7 +72,7 @@ void RegionShape::add(const RegionShape& other, double factor) {
 }
 
 RegionShape computeShape(const RegionSums& sums) {
-  return {sums.overlap_m, sums.overlap_m / (3.0 * sums.computeVariance_m2()),  // (W3)
+  return {sums.overlap_m, sums.overlap_m / (3.0 * sums.computeVariance_m2()),  // (G3)
           sums.weight_s / sums.weight, sums.weight_up / sums.weight, sums.weight_side / sums.weight};
 }
 

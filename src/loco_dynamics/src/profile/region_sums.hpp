@@ -11,7 +11,7 @@ struct PlaceOrigin {
 
 /// Integrals along the rail over the part of a region where wheel and rail overlap. With e = delta (1 - x^2/w^2), as
 /// Hertz's bodies would have, the variance of x weighted by e^1.5 is w^2/6, so
-///   2 B = 2 delta/w^2 = delta/(3 variance)                                                                  (W3)
+///   2 B = 2 delta/w^2 = delta/(3 variance)                                                                  (G3)
 /// is the effective curvature of any other region. Place and angle are means weighted by e^2.
 /// Both weights were chosen to meet area, aspect, place of non-Hertzian patches (docs/wheel_rail_geometry.md).
 struct RegionSums {
@@ -29,7 +29,7 @@ struct RegionSums {
 /// What the sums say of a region; a mean of several shapes is one, too.
 struct RegionShape {
   double overlap_m = 0.0;
-  double across_1pm = 0.0;      ///< effective curvature, (W3)
+  double across_1pm = 0.0;      ///< effective curvature, (G3)
   double s_m = 0.0;             ///< place on the wheel
   double up = 0.0, side = 0.0;  ///< mean normal of the rail, not of unit length
 

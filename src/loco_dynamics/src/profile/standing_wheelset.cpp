@@ -47,7 +47,7 @@ LoadedWheel WheelsetStand::loadWheel(Side side, const WheelsetPose& pose, const 
     patch.normal_N = region.share * whole_N;
     patch.ellipse = hertz.computeEllipse(whole_N);
     if (given.friction == 0.0) continue;
-    Creepage creepage;  // (W8)
+    Creepage creepage;  // (G8)
     creepage.xi_x = 1.0 - region.rolling_radius_m / mean_radius_m;
     creepage.xi_y = -given.yaw_rad / std::cos(region.angle_rad);
     creepage.phi_1pm = -std::sin(region.angle_rad) / region.rolling_radius_m;

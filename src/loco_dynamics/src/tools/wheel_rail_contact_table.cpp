@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <ostream>
@@ -30,9 +31,12 @@ ProfilePoints findProfile(ProfileKind kind, const std::string& option, const std
   const bool is_wheel = kind == ProfileKind::kWheel;
   const ProfilePoints named = is_wheel ? makeWheelPoints(name) : makeRailPoints(name);
   if (!named.empty()) return named;
-  std::ifstream file(name);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file || text.empty()) {
+  std::string text;
+  if (std::filesystem::is_regular_file(name)) {
+    std::ifstream file(name);
+    text.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  }
+  if (text.empty()) {
     std::string known;
     for (const std::string& each : is_wheel ? wheelProfileNames() : railProfileNames()) known += each + ", ";
     problems.add(option + " " + name, "", "must be one of " + known + "or a CSV file that can be read");

@@ -30,8 +30,10 @@ struct TrackStretch {
 
 /// Cant with its run-offs rounded off.                                                                    (T10)
 struct TrackCant {
-  double left_m = 0.0;  ///< height of the left rail over the right: < 0 in a canted curve to the left
-  double slope = 0.0;   ///< d(left_m)/ds [-]
+  double left_m = 0.0;   ///< height of the left rail over the right: < 0 in a canted curve to the left
+  double slope = 0.0;    ///< d(left_m)/ds [-]
+  double outer_m = 0.0;  ///< height of the outer rail over the inner, >= 0; its own mean, so it bends gradually as well
+  double outer_slope = 0.0;  ///< d(outer_m)/ds [-]; not |slope| where the outer rail changes sides within the window
 };
 
 /// The line in plan and profile, by chainage s [m] in running direction. Constant after reading.
@@ -98,6 +100,7 @@ class Track {
     double height_m;
     double left_cant_m, left_cant_slope;  ///< height of the left rail over the right
     double left_cant_integral_m2;         ///< from the track's start
+    double cant_integral_m2;              ///< likewise, of the outer rail over the inner
   };
   void buildCant();
   void build(const TrackProfile& profile);

@@ -37,10 +37,10 @@ struct StandingWheelset {
 };
 
 /// Finds height and roll of a wheelset that rolls freely and steadily along straight track, held at y and yaw:
-///   sum over a wheel's contacts of (N cos(angle) + F_y sin(angle)) = load,   both wheels                       (W7)
+///   sum over a wheel's contacts of (N cos(angle) + F_y sin(angle)) = load,   both wheels                       (G7)
 ///   sum over all contacts of r F_x = 0
 /// with Hertz's normal forces and FASTSIM's creep forces (Coulomb) of the creepages
-///   xi_x = 1 - r/r_mean,  xi_y = -yaw/cos(angle),  phi = -sin(angle)/r                                         (W8)
+///   xi_x = 1 - r/r_mean,  xi_y = -yaw/cos(angle),  phi = -sin(angle)/r                                         (G8)
 /// r_mean = V/omega follows from the second line. A flange's spin presses the wheel upwards, which takes some of the
 /// load off its normal force. Not modelled: other forces on the wheelset, what it does to the pose.
 class WheelsetStand {
