@@ -201,6 +201,7 @@ std::uint8_t LtdNode::phase() const {
       return Status::FINISHED;
     case Outcome::Kind::kStopped:
       return Status::STOPPED;
+    case Outcome::Kind::kRefused:  // such a run has no node
     case Outcome::Kind::kFailed:
       return Status::FAILED;
     case Outcome::Kind::kRunning:
