@@ -91,6 +91,18 @@ std::vector<BodyPose> BodyDynamics::computePoses(const double* in) const {
   return poses;
 }
 
+BodyState BodyDynamics::rollingState(double location_m, double speed_mps, double wheel_radius_m) const {
+  BodyState state;
+  unpack(std::vector<double>(stateSize(), 0.0).data(), state);
+  state.q = rest_;
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
+    state.q[i][kX] += location_m;
+    state.v[i][kX] = speed_mps;
+    if (i >= BodyLayout::wheelset(0)) state.v[i][kPitch] = speed_mps / wheel_radius_m;
+  }
+  return state;
+}
+
 void BodyDynamics::addInnerForces(BodyState& state, double h, BodyVector& loads, const Placement& placement) {
   for (std::size_t i = 0; i < layout_.bodies().size(); ++i)
     loads[i][kZ] -= layout_.bodies()[i].mass_kg * rail::kGravity_mps2;

@@ -76,14 +76,7 @@ BodyVector Loco2d::computeEquilibrium() const {
 }
 
 std::vector<double> Loco2d::equilibriumState(double location_m, double speed_mps) const {
-  BodyState state;
-  dynamics_.unpack(std::vector<double>(dynamics_.stateSize(), 0.0).data(), state);
-  state.q = dynamics_.rest();
-  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
-    state.q[i][kX] += location_m;
-    state.v[i][kX] = speed_mps;
-    if (i >= BodyLayout::wheelset(0)) state.v[i][kPitch] = speed_mps / parameters_.structure.wheel_radius_m;
-  }
+  const BodyState state = dynamics_.rollingState(location_m, speed_mps, parameters_.structure.wheel_radius_m);
   std::vector<double> flat(dynamics_.stateSize());
   dynamics_.pack(state, flat.data());
   const std::vector<double> control = drive_.initialState();

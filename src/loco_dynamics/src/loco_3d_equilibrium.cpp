@@ -193,14 +193,7 @@ BodyVector Loco3d::computeRest() const {
 }
 
 std::vector<double> Loco3d::equilibriumState(double location_m, double speed_mps) const {
-  BodyState state;
-  dynamics_.unpack(std::vector<double>(dynamics_.stateSize(), 0.0).data(), state);
-  state.q = dynamics_.rest();
-  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
-    state.q[i][kX] += location_m;
-    state.v[i][kX] = speed_mps;
-    if (i >= BodyLayout::wheelset(0)) state.v[i][kPitch] = speed_mps / parameters_.structure.wheel_radius_m;
-  }
+  BodyState state = dynamics_.rollingState(location_m, speed_mps, parameters_.structure.wheel_radius_m);
   if (!onStraightTrack(state)) {
     followTrack(state);
     settle(state, speed_mps);

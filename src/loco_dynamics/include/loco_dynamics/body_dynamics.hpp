@@ -36,6 +36,8 @@ class BodyDynamics {
   /// without load at q = 0, the heights of the bodies' file are those in equilibrium.
   void setRest(const BodyVector& q) { rest_ = q; }
   const BodyVector& rest() const { return rest_; }
+  /// At rest() moved to a place, all bodies at one speed, wheelsets rolling without slip.
+  BodyState rollingState(double location_m, double speed_mps, double wheel_radius_m) const;
 
   /// Where the bodies stand in a packed state.
   std::vector<BodyPose> computePoses(const double* in) const;

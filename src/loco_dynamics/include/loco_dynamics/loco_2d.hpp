@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "loco_dynamics/body_dynamics.hpp"
+#include "loco_dynamics/loco_account.hpp"
 #include "loco_dynamics/loco_structure.hpp"
 #include "loco_dynamics/locomotive.hpp"
 #include "loco_dynamics/planar_contact.hpp"
@@ -34,17 +35,7 @@ class Loco2d : public Locomotive {
   void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
   std::vector<BodyPose> computePoses(const std::vector<double>& state) const override;
 
-  /// Energies of the last macro step [J], for the locomotive's account:
-  ///   motors + outer = d(kinetic) + d(stored) + dampers + slip + contact_damping + residual
-  struct Account {
-    double motors = 0.0;                 ///< torque times spin of the wheelset against its frame
-    double outer = 0.0;                  ///< work of couplers, resistances and grade
-    double dampers = 0.0;                ///< in the suspension
-    double slip = 0.0;                   ///< between wheel and rail
-    double contact_damping = 0.0;        ///< in the normal contact
-    double kinetic = 0.0, stored = 0.0;  ///< change of
-    double residual() const { return motors + outer - kinetic - stored - dampers - slip - contact_damping; }
-  };
+  using Account = LocoAccount;
   const Account& account() const { return account_; }
 
  private:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "loco_dynamics/body_dynamics.hpp"
+#include "loco_dynamics/loco_account.hpp"
 #include "loco_dynamics/loco_structure.hpp"
 #include "loco_dynamics/locomotive.hpp"
 #include "loco_dynamics/running_safety.hpp"
@@ -43,19 +44,7 @@ class Loco3d : public Locomotive {
   void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
   std::vector<BodyPose> computePoses(const std::vector<double>& state) const override;
 
-  /// Energies of the last macro step [J], for the locomotive's account:
-  ///   motors + outer + frames = d(kinetic) + d(stored) + dampers + slip + contact_damping + residual
-  struct Account {
-    double motors = 0.0;           ///< torque times spin of the wheelset against its frame
-    double outer = 0.0;            ///< work of couplers, resistances and grade
-    double frames = 0.0;           ///< work by the turning of the track frames: inertia forces and turned forces
-    double dampers = 0.0;          ///< in the suspension
-    double slip = 0.0;             ///< between wheel and rail
-    double contact_damping = 0.0;  ///< in the normal contact
-    double kinetic = 0.0;          ///< change of, against the track frames
-    double stored = 0.0;           ///< change of: suspension, gravity, contacts
-    double residual() const { return motors + outer + frames - kinetic - stored - dampers - slip - contact_damping; }
-  };
+  using Account = LocoAccount;
   const Account& account() const { return account_; }
 
   /// At the start of the last micro step.
