@@ -11,7 +11,7 @@ namespace loco {
 namespace {
 
 // The numbers in the order of the fields: the one list that check and digest go through.
-std::array<double, 15> numbersOf(const AxleAdhesion& a) {
+std::array<double, 16> numbersOf(const AxleAdhesion& a) {
   return {a.creep,
           a.adhesion,
           a.friction,
@@ -20,6 +20,7 @@ std::array<double, 15> numbersOf(const AxleAdhesion& a) {
           a.force_N,
           a.torque_reference_N_m,
           a.torque_N_m,
+          a.shoe_torque_N_m,
           a.controlled ? 1.0 : 0.0,
           a.frictional_power_W,
           a.t_gamma_N,

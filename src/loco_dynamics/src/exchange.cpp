@@ -11,9 +11,12 @@ namespace loco {
 namespace {
 
 // The numbers of a message in the order of its fields: the one list that comparison, check and digest go through.
-std::array<double, 10> numbersOf(const LocoForce& f) {
+std::array<double, 13> numbersOf(const LocoForce& f) {
   return {f.traction_reference_N,
           f.notch,
+          f.brake_notch,
+          f.shoe_force_N,
+          f.sanding ? 1.0 : 0.0,
           f.rim_power_limit_W,
           f.coupler_front_N,
           f.coupler_rear_N,
@@ -24,8 +27,8 @@ std::array<double, 10> numbersOf(const LocoForce& f) {
           f.location_m};
 }
 
-std::array<double, 5> numbersOf(const LocoTraction& t) {
-  return {t.traction_N, t.speed_mps, t.location_m, t.work_rim_J, t.work_slip_J};
+std::array<double, 6> numbersOf(const LocoTraction& t) {
+  return {t.traction_N, t.speed_mps, t.location_m, t.work_rim_J, t.work_slip_J, t.work_shoes_J};
 }
 
 template <typename Numbers>

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
+#include "loco_dynamics/shoe_brake.hpp"
 #include "rail_core/constants.hpp"
 
 namespace loco {
@@ -16,7 +18,7 @@ std::vector<double> Loco1d::equilibriumState(double location_m, double speed_mps
 }
 
 double computeAdhesionLimitedTraction(double reference_N, double adhesion_limit_N) {
-  return std::min(reference_N, adhesion_limit_N);  // (T8)
+  return std::clamp(reference_N, -adhesion_limit_N, adhesion_limit_N);  // (T8)
 }
 
 void Loco1d::step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) {
@@ -26,17 +28,22 @@ void Loco1d::step(const std::vector<double>& state, const LocoForce& force, Loco
   const double v = state[1];
 
   const double F_t = computeAdhesionLimitedTraction(force.traction_reference_N, adhesion_limit_N_);
-  const double F = force.coupler_front_N + force.coupler_rear_N + F_t + force.propulsion_resistance_N +
-                   force.curving_resistance_N + force.grade_N;    // Eq. (1)
-  const double v_end = v + H * F / parameters_.inertial_mass_kg;  // (T5)
+  const double F_others = force.coupler_front_N + force.coupler_rear_N + F_t + force.propulsion_resistance_N +
+                          force.curving_resistance_N + force.grade_N;
+  const double largest_N = std::min(force.shoe_force_N, adhesion_limit_N_ - std::abs(F_t));
+  const double F_shoes = computeHoldingForce(F_others + parameters_.inertial_mass_kg * v / H, largest_N);  // (K1)
+  const double F = F_others + F_shoes;                                                                     // Eq. (1)
+  const double v_end = v + H * F / parameters_.inertial_mass_kg;                                           // (T5)
   const double s_end = s + H * v_end;
 
   answer.step = force.step;
-  answer.traction_N = F_t;
+  const double S = 0.5 * (v + v_end) * H;
+  answer.traction_N = F_t + F_shoes;
   answer.speed_mps = v_end;
   answer.location_m = s_end;
-  answer.work_rim_J = F_t * 0.5 * (v + v_end) * H;  // no slip: rim = rail, Eq. (4)
+  answer.work_rim_J = F_t * S;  // no slip: rim = rail, Eq. (4)
   answer.work_slip_J = 0.0;
+  answer.work_shoes_J = -F_shoes * S;
   answer.state.resize(stateSize());
   answer.state[0] = s_end;
   answer.state[1] = v_end;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "loco_dynamics/contact/creepage.hpp"
+#include "loco_dynamics/shoe_brake.hpp"
 #include "rail_core/constants.hpp"
 
 namespace loco {
@@ -92,7 +93,7 @@ void Loco2d::step(const std::vector<double>& state, const LocoForce& force, Loco
   answer.state = state;
   double* const control_state = answer.state.data() + dynamics_.stateSize();
   answer.step = force.step;
-  answer.traction_N = answer.work_rim_J = answer.work_slip_J = 0.0;
+  answer.traction_N = answer.work_rim_J = answer.work_slip_J = answer.work_shoes_J = 0.0;
   answer.failure.clear();
   account_ = {};
   account_.kinetic = -dynamics_.computeKineticEnergy(state_.v);
@@ -103,7 +104,7 @@ void Loco2d::step(const std::vector<double>& state, const LocoForce& force, Loco
     dynamics_.addInnerForces(state_, h, loads);
     addOuterForces(force, loads);
     drive_.addTorques(force, state_.v, control_state, loads);
-    addContactForces(h, loads);
+    addContactForces(force, h, loads);
     const BodyVector v_old = state_.v;
     answer.failure = dynamics_.step(loads, h, state_);
     if (!answer.failure.empty()) return;
@@ -133,8 +134,9 @@ void Loco2d::addOuterForces(const LocoForce& force, BodyVector& loads) const {
     loads[i][kX] += force.grade_N * (s.bodies[i].mass_kg / dynamics_.layout().totalMass());
 }
 
-void Loco2d::addContactForces(double h, BodyVector& loads) {
+void Loco2d::addContactForces(const LocoForce& force, double h, BodyVector& loads) {
   const double r = parameters_.structure.wheel_radius_m;
+  const double largest_shoe_N_m = force.shoe_force_N * r / BodyLayout::kAxles;
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     const std::size_t i = BodyLayout::wheelset(axle);
     Axle& a = axles_[axle];
@@ -144,14 +146,31 @@ void Loco2d::addContactForces(double h, BodyVector& loads) {
     a.v_mps = state_.v[i][kX];
     a.slip_mps = state_.v[i][kPitch] * r - a.v_mps;
     const double location_m = state_.q[i][kX] + parameters_.structure.bodies[i].p_T.x();
-    a.contact = contact_.computeAxleForce(a.normal_N, a.slip_mps, a.v_mps, location_m);
+    a.contact = contact_.computeAxleForce(a.normal_N, a.slip_mps, a.v_mps, location_m, force.sanding);
     // Linearly implicit in w where the force rises with it: creep is stiff at low speed and with clean rail.     (P2)
     const double m = dynamics_.layout().inertia(i, kX), J = dynamics_.layout().inertia(i, kPitch);
     const double slope = std::max(a.contact.slope_N_s_per_m, 0.0);
-    const double free_rate = r * loads[i][kPitch] / J - loads[i][kX] / m;  // dw/dt without the contact
     const double largest_N = 2.0 * a.contact.friction * a.normal_N;  // the straight line may pass what the law cannot
-    a.force_N = std::clamp((a.contact.force_N + slope * h * free_rate) / (1.0 + slope * h * (r * r / J + 1.0 / m)),
-                           -largest_N, largest_N);
+    const double stiffening = 1.0 + slope * h * (r * r / J + 1.0 / m);
+    const auto forceAt = [&](double torque_N_m) {
+      const double free_rate = r * torque_N_m / J - loads[i][kX] / m;  // dw/dt without the contact
+      return std::clamp((a.contact.force_N + slope * h * free_rate) / stiffening, -largest_N, largest_N);
+    };
+    const double turning = state_.v[i][kPitch] - state_.v[BodyLayout::bogieOfAxle(axle)][kPitch];
+    const double held = 1.0 - slope * h * r * r / J / stiffening;  // share of a torque that the contact leaves
+    const auto toStop = [&](double shoe_N_m, double share) {       // with the contact's force as these shoes leave it
+      const double T = loads[i][kPitch];
+      return (J * turning / h + T - r * forceAt(T + shoe_N_m)) / share;
+    };
+    a.shoe_N_m = 0.0;
+    if (largest_shoe_N_m > 0.0) {
+      a.shoe_N_m = computeHoldingForce(toStop(0.0, held), largest_shoe_N_m);  // (K1)
+      if (std::abs(forceAt(loads[i][kPitch] + a.shoe_N_m)) == largest_N)      // the contact gives no more
+        a.shoe_N_m = computeHoldingForce(toStop(a.shoe_N_m, 1.0), largest_shoe_N_m);
+      loads[i][kPitch] += a.shoe_N_m;
+      loads[BodyLayout::bogieOfAxle(axle)][kPitch] -= a.shoe_N_m;  // the shoes hang on the frame
+    }
+    a.force_N = forceAt(loads[i][kPitch]);
     loads[i][kZ] += 2.0 * a.normal_N;
     loads[i][kX] += a.force_N;
     loads[i][kPitch] -= a.force_N * r;
@@ -171,6 +190,7 @@ void Loco2d::report(AdhesionReport& out) const {
     to.static_friction = a.contact.static_friction;
     to.torque_reference_N_m = drive_.torqueReference_N_m(axle);
     to.torque_N_m = drive_.torque_N_m(axle);
+    to.shoe_torque_N_m = a.shoe_N_m;
     to.controlled = drive_.controlled(axle);
     to.frictional_power_W = a.slip_power_W;
     to.t_gamma_N = std::abs(a.force_N * a.slip_mps) / std::max(std::abs(a.v_mps), kCreepageSpeedFloor_mps);
@@ -196,6 +216,10 @@ void Loco2d::book(const LocoForce& force, const BodyVector& v_old, double h, Loc
     answer.work_slip_J += slip_work;
     account_.slip += slip_work;
     axles_[axle].slip_power_W = slip_work / h;
+    const double shoe_turning = v[kPitch] - v_mean[BodyLayout::bogieOfAxle(axle)][kPitch];
+    const double shoe_work = -axles_[axle].shoe_N_m * shoe_turning * h;
+    answer.work_shoes_J += shoe_work;
+    account_.shoes += shoe_work;
     account_.contact_damping -= 2.0 * axles_[axle].damping_normal_N * v[kZ] * h;
   }
   const TractionDrive::Work work = drive_.computeWork(v_mean, h);

@@ -48,7 +48,7 @@ void Loco3d::step(const std::vector<double>& state, const LocoForce& force, Loco
   double* const control_state = answer.state.data() + dynamics_.stateSize();
   double* const time_in_air_s = control_state + drive_.stateSize();
   answer.step = force.step;
-  answer.traction_N = answer.work_rim_J = answer.work_slip_J = 0.0;
+  answer.traction_N = answer.work_rim_J = answer.work_slip_J = answer.work_shoes_J = 0.0;
   answer.failure.clear();
   frames_.place(state_.q);
   frames_.computeGaps(state_.v);
@@ -81,7 +81,7 @@ std::string Loco3d::stepMicro(const LocoForce& force, double* control_state, dou
   for (std::size_t i = 0; i < BodyLayout::kBodies; ++i)
     scratch_.loads[i] = scratch_.inner[i] + scratch_.outer[i] + scratch_.frame[i];
   drive_.addTorques(force, state_.v, control_state, scratch_.loads);
-  addContactForces(h);
+  addContactForces(force, h);
   addTurning(h);
   const BodyVector v_old = state_.v;
   std::string failure = dynamics_.step(scratch_.loads, h, state_);
@@ -113,13 +113,19 @@ WheelsetMotion Loco3d::motionOf(std::size_t axle, const BodyState& state, const 
   return {state.q[i], state.v[i], frames[i].curvature_1pm, frames[i].s_m};
 }
 
-void Loco3d::addContactForces(double h) {
+void Loco3d::addContactForces(const LocoForce& force, double h) {
+  const double largest_shoe_N_m = force.shoe_force_N * parameters_.structure.wheel_radius_m / BodyLayout::kAxles;
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     const std::size_t i = BodyLayout::wheelset(axle);
-    contact_.compute(motionOf(axle, state_, frames_), contacts_[axle]);
+    WheelsetMotion motion = motionOf(axle, state_, frames_);
+    motion.sanding = force.sanding;
+    contact_.compute(motion, contacts_[axle]);
     Vector6 inertia;
     for (const Dof dof : kAllDofs) inertia[static_cast<Eigen::Index>(dof)] = dynamics_.layout().inertia(i, dof);
-    WheelsetContact::addForces(inertia, h, contacts_[axle], scratch_.loads[i]);
+    const std::size_t frame = BodyLayout::bogieOfAxle(axle);
+    const WheelsetContact::Shoes shoes{largest_shoe_N_m, state_.v[i][kPitch] - state_.v[frame][kPitch]};
+    shoe_N_m_[axle] = WheelsetContact::addForces(inertia, h, contacts_[axle], scratch_.loads[i], shoes);
+    scratch_.loads[frame][kPitch] -= shoe_N_m_[axle];  // the shoes hang on the frame
   }
 }
 
@@ -153,6 +159,11 @@ void Loco3d::book(const BodyVector& v_old, double h, LocoTraction& answer) {
     const WheelsetContact::Work work = WheelsetContact::computeWork(contacts, v_mean[BodyLayout::wheelset(axle)], h);
     answer.work_slip_J += work.slip;
     account_.slip += work.slip;
+    const double shoe_turning =
+        v_mean[BodyLayout::wheelset(axle)][kPitch] - v_mean[BodyLayout::bogieOfAxle(axle)][kPitch];
+    const double shoe_work = -shoe_N_m_[axle] * shoe_turning * h;
+    answer.work_shoes_J += shoe_work;
+    account_.shoes += shoe_work;
     account_.contact_damping += work.damping;
     account_.stored += work.elastic;
     account_.frames += work.on_body + work.slip + work.damping + work.elastic;

@@ -109,7 +109,7 @@ void Loco3d::settle(BodyState& state, double speed_mps) const {
       for (std::size_t k = 0; k < kDofs; ++k)
         inertia[static_cast<Eigen::Index>(k)] = dynamics_.layout().inertia(body, static_cast<Dof>(k));
       contact_.compute(motionOf(axle, state, frames), contacts);
-      WheelsetContact::addForces(inertia, kStep_s, contacts, loads[body]);
+      WheelsetContact::addForces(inertia, kStep_s, contacts, loads[body], {});
     }
     shareDeceleration(dynamics_.layout(), loads);
     if (!dynamics_.step(loads, kStep_s, state).empty()) return;

@@ -69,6 +69,7 @@ void Loco3d::report(AdhesionReport& out) const {
     to.static_friction = contacts_[axle].static_friction;
     to.torque_reference_N_m = drive_.torqueReference_N_m(axle);
     to.torque_N_m = drive_.torque_N_m(axle);
+    to.shoe_torque_N_m = shoe_N_m_[axle];
     to.controlled = drive_.controlled(axle);
   }
 }

@@ -14,6 +14,7 @@ CreepLawParameters withoutGrid(CreepLawParameters parameters) {
 
 RailConditions withoutGrid(RailConditions rail) {
   rail.elsewhere = withoutGrid(rail.elsewhere);
+  if (rail.sanded) rail.sanded = withoutGrid(*rail.sanded);
   for (RailConditions::Section& section : rail.sections) section.creep = withoutGrid(section.creep);
   return rail;
 }
@@ -59,9 +60,9 @@ PlanarContact::PlanarContact(const Parameters& parameters, const RailConditions&
       creep_(withoutGrid(rail)) {}
 
 PlanarContact::AxleForce PlanarContact::computeAxleForce(double normal_N, double slip_mps, double v_mps,
-                                                         double location_m) const {
+                                                         double location_m, bool sanding) const {
   AxleForce result;
-  const CreepLaw& law = creep_.at(location_m);
+  const CreepLaw& law = creep_.at(location_m, sanding);
   result.static_friction = law.parameters().friction.mu0;
   if (normal_N <= 0.0) return result;
   const HertzContact::Ellipse ellipse = normal_.hertz().computeEllipse(normal_N);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "loco_dynamics/shoe_brake.hpp"
+
 namespace loco {
 
 namespace {
@@ -63,7 +65,7 @@ WheelsetContact::WheelsetContact(const Parameters& parameters, const RailConditi
 
 void WheelsetContact::compute(const WheelsetMotion& motion, Contacts& out) const {
   const WheelsetPose pose{motion.q[kY], motion.q[kZ], motion.q[kRoll], motion.q[kYaw]};
-  const CreepLaw& law = creep_.at(motion.location_m);
+  const CreepLaw& law = creep_.at(motion.location_m, motion.sanding);
   out.static_friction = law.parameters().friction.mu0;
   out.count = 0;
   std::array<ContactRegion, kMostContacts> regions;
@@ -129,7 +131,8 @@ void WheelsetContact::computeCreep(const WheelsetMotion& motion, const CreepLaw&
                        slip > 0.0 ? std::min(across, full_slip_N / slip) : across};
 }
 
-void WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& contacts, Vector6& load) {
+double WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& contacts, Vector6& load,
+                                  const Shoes& shoes) {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   Matrix6 system = Matrix6::Zero();
   system.diagonal() = inertia / h;
@@ -139,7 +142,18 @@ void WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& cont
     system.selfadjointView<Eigen::Lower>().rankUpdate(acrossSlip(c), c.slope_N_s_per_m.y());
     load += c.J_n * c.normal_N + c.J_x * c.creep_N.x() + c.J_t * c.creep_N.y();  // (W4)
   }
-  const Vector6 change = system.selfadjointView<Eigen::Lower>().llt().solve(load);  // v_n+1 - v_n
+  const auto solver = system.selfadjointView<Eigen::Lower>().llt();
+  Vector6 change = solver.solve(load);  // v_n+1 - v_n
+  double shoe_N_m = 0.0;
+  if (shoes.largest_N_m > 0.0) {
+    Vector6 torque = Vector6::Zero();
+    torque[kPitch] = 1.0;
+    const Vector6 per_torque = solver.solve(torque);
+    shoe_N_m =
+        computeHoldingForce((shoes.turning_radps + change[kPitch]) / per_torque[kPitch], shoes.largest_N_m);  // (K1)
+    load[kPitch] += shoe_N_m;
+    change += per_torque * shoe_N_m;
+  }
   for (std::size_t i = 0; i < contacts.count; ++i) {
     Contact& c = contacts.list[i];
     const double along_N = -c.slope_N_s_per_m.x() * alongSlip(c).dot(change);  // (W5)
@@ -150,6 +164,7 @@ void WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& cont
     const Eigen::Vector2d added = c.creep_N - before;
     load += c.J_x * added.x() + c.J_t * added.y();
   }
+  return shoe_N_m;
 }
 
 WheelsetContact::Work WheelsetContact::computeWork(const Contacts& contacts, const Vector6& v_mean, double h) {

@@ -51,7 +51,7 @@ TEST(RailConditionsTest, EachPlaceHasTheLawOfItsSectionAndTheRestTheOneElsewhere
   const loco::CreepLawByPlace laws(
       read(section("3.2", "3.3", "0.2") + section("3.3", "3.4", "0.1") + section("3.5", "3.6", "0.25"), problems));
   problems.throwIfAny();
-  const auto mu0At = [&](double s_m) { return laws.at(s_m).parameters().friction.mu0; };
+  const auto mu0At = [&](double s_m) { return laws.at(s_m, false).parameters().friction.mu0; };
   EXPECT_EQ(mu0At(-1e9), 0.35);
   EXPECT_EQ(mu0At(3199.999), 0.35);
   EXPECT_EQ(mu0At(3200.0), 0.2);
@@ -66,7 +66,7 @@ TEST(RailConditionsTest, WithoutSectionsOneLawHoldsEverywhere) {
   rail::Problems problems;
   const loco::CreepLawByPlace laws(read("", problems));
   problems.throwIfAny();
-  EXPECT_EQ(laws.at(0.0).parameters().friction.mu0, 0.35);
+  EXPECT_EQ(laws.at(0.0, false).parameters().friction.mu0, 0.35);
 }
 
 }  // namespace

@@ -169,7 +169,7 @@ TEST(WheelsetContactTest, CreepOfCleanSteelIsStableAtTheSpeedsFloor) {
     contact.compute(motion, contacts);
     Vector6 load = Vector6::Zero();
     load[loco::kZ] = -kAxleLoad_N;
-    WheelsetContact::addForces(inertia, 5e-4, contacts, load);
+    WheelsetContact::addForces(inertia, 5e-4, contacts, load, {});
     motion.v += 5e-4 * load.cwiseQuotient(inertia);
     motion.q += 5e-4 * motion.v;
   }
@@ -193,7 +193,7 @@ TEST(WheelsetContactTest, CreepForceNeverPassesWhatFrictionOffersHoweverStiffThe
     load[loco::kY] = 15e3 * std::sin(0.05 * i);  // across and along: both components take their part
     load[loco::kZ] = -kAxleLoad_N;
     load[loco::kPitch] = 20e3;
-    WheelsetContact::addForces(inertia, 5e-4, contacts, load);
+    WheelsetContact::addForces(inertia, 5e-4, contacts, load, {});
     for (std::size_t k = 0; k < contacts.count; ++k) {
       const WheelsetContact::Contact& c = contacts.list[k];
       if (c.normal_N > 0.0) largest_use = std::max(largest_use, c.creep_N.norm() / (c.friction * c.normal_N));
@@ -224,7 +224,7 @@ double wavelength(const fixtures::ConedWheel& wheel, double v_mps) {
     contact.compute(motion, contacts);
     Vector6 load = Vector6::Zero();
     load[loco::kZ] = -kAxleLoad_N;
-    WheelsetContact::addForces(inertia, h, contacts, load);
+    WheelsetContact::addForces(inertia, h, contacts, load, {});
     last_m = motion.q[loco::kY];
     motion.v += h * load.cwiseQuotient(inertia);
     motion.v[loco::kX] = v_mps;

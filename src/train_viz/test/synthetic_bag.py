@@ -119,7 +119,7 @@ def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: i
 
 
 def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: int = 5, run_id: int = 1,
-              resolved: Optional[str] = None, format_version: int = 2, rows_from: int = 0, with_wheels: Sequence[int] = (),
+              resolved: Optional[str] = None, format_version: int = 3, rows_from: int = 0, with_wheels: Sequence[int] = (),
               period_s: float = PERIOD_S, contacts: bool = False, **simulation) -> Dict:
     """Writes a bag and returns what it holds: simulate()'s columns, the coupler forces and the axles' columns.
 

@@ -21,7 +21,8 @@ struct AxleAdhesion {
   double normal_force_N = 0.0;        ///< of both wheels, >= 0
   double force_N = 0.0;               ///< of both wheels along the track, + forward
   double torque_reference_N_m = 0.0;  ///< asked for, before control; on the wheelset, + driving forward
-  double torque_N_m = 0.0;            ///< applied
+  double torque_N_m = 0.0;            ///< applied by the motor
+  double shoe_torque_N_m = 0.0;       ///< of the brake shoes, on the wheelset, < 0 rolling forward
   bool controlled = false;            ///< the controller takes torque away
   double frictional_power_W = 0.0;    ///< lost to slip in the contacts, >= 0
   double t_gamma_N = 0.0;  ///< sum of |F_x xi_x + F_y xi_y| over the contacts, energy lost per distance [N = J/m]

@@ -10,15 +10,18 @@
 namespace loco {
 
 /// Version of the lock's protocol: meaning of the messages below. Both sides must have the same.
-inline constexpr std::uint32_t kProtocolVersion = 2;
+inline constexpr std::uint32_t kProtocolVersion = 3;
 
 /// What LTD asks of and does to one locomotive during macro step k. Values at the start of the step, held over it.
 /// Forces act on the locomotive, + forward.
 struct LocoForce {
   std::uint64_t step = 0;
   rail::Nanoseconds step_length = 0;     ///< H [ns]
-  double traction_reference_N = 0.0;     ///< after the motor response, before adhesion, >= 0
-  double notch = 0.0;                    ///< 0 = idle
+  double traction_reference_N = 0.0;     ///< after the motor response, before adhesion; < 0: dynamic brake
+  double notch = 0.0;                    ///< of traction, 0 = idle
+  double brake_notch = 0.0;              ///< of the dynamic brake, 0 = off
+  double shoe_force_N = 0.0;             ///< largest retarding force of the brake shoes at all treads together, >= 0
+  bool sanding = false;                  ///< sand is laid before the wheels
   double rim_power_limit_W = 0.0;        ///< that the notch allows at the rims
   double coupler_front_N = 0.0;          ///< > 0 in draft
   double coupler_rear_N = 0.0;           ///< < 0 in draft
@@ -35,8 +38,9 @@ struct LocoTraction {
   double traction_N = 0.0;   ///< mean over the step of the wheels' forces along the track, on the locomotive, + forward
   double speed_mps = 0.0;    ///< of the CoG along the track at the end of the step
   double location_m = 0.0;   ///< chainage of the CoG at the end of the step
-  double work_rim_J = 0.0;   ///< of the wheels' torques at their rims during the step
+  double work_rim_J = 0.0;   ///< of the motors' torques at the wheel rims during the step, < 0 when they brake
   double work_slip_J = 0.0;  ///< lost to slip between rim and rail during the step, >= 0
+  double work_shoes_J = 0.0;  ///< turned into heat by the brake shoes during the step, >= 0
   std::vector<double> state;  ///< complete state at the end of the step
   AdhesionReport adhesion;    ///< at the end of the step
   std::string failure;        ///< empty, or why the model cannot go on: body, place, cause

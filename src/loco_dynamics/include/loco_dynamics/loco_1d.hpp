@@ -29,9 +29,9 @@ class Loco1d : public Locomotive {
   double adhesion_limit_N_;
 };
 
-/// Traction after the adhesion limit.                                                              (T8)
-///   F_t = min(F_ref, mu_lim m g)
-/// @param reference_N  traction reference [N], >= 0
+/// Force of the motors after the adhesion limit, in traction and in braking.                        (T8)
+///   F_t = F_ref, |F_t| <= mu_lim m g
+/// @param reference_N  traction reference [N], < 0: dynamic brake
 /// @return force on the locomotive [N], + forward
 /// Source: Wu et al. 2020, Sect. 3.1 and note "a 0.35 adhesion limit was applied". Not modelled: anything of the
 /// contact.

@@ -41,7 +41,7 @@ class Loco2d : public Locomotive {
  private:
   BodyVector computeEquilibrium() const;
   void addOuterForces(const LocoForce& force, BodyVector& loads) const;
-  void addContactForces(double h, BodyVector& loads);
+  void addContactForces(const LocoForce& force, double h, BodyVector& loads);
   double storedEnergy() const;
   void book(const LocoForce& force, const BodyVector& v_old, double h, LocoTraction& answer);
   void report(AdhesionReport& out) const;
@@ -59,6 +59,7 @@ class Loco2d : public Locomotive {
     double slip_mps = 0.0;          ///< w = omega r - v
     double slip_power_W = 0.0;      ///< with the mean of the old and the new slip
     double v_mps = 0.0;
+    double shoe_N_m = 0.0;  ///< torque of the shoes on the wheelset
   };
   std::array<Axle, BodyLayout::kAxles> axles_;  ///< in the last micro step
   Account account_;

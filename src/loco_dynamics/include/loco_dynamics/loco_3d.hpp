@@ -60,7 +60,7 @@ class Loco3d : public Locomotive {
     BodyVector inner, outer, frame, loads;
   };
   void addOuterForces(const LocoForce& force, const TrackFrames& frames, const BodyVector& q, BodyVector& loads) const;
-  void addContactForces(double h);
+  void addContactForces(const LocoForce& force, double h);
   void addTurning(double h);
   std::string stepMicro(const LocoForce& force, double* control_state, double h, LocoTraction& answer);
   void book(const BodyVector& v_old, double h, LocoTraction& answer);
@@ -85,6 +85,7 @@ class Loco3d : public Locomotive {
   TrackFrames frames_, next_frames_;
   Scratch scratch_;
   std::array<WheelsetContact::Contacts, BodyLayout::kAxles> contacts_;
+  std::array<double, BodyLayout::kAxles> shoe_N_m_{};  ///< torque of the shoes on the wheelset
   Account account_;
 };
 

@@ -48,7 +48,9 @@ class PlanarContact {
   /// @param slip_mps  w = omega r - v, + driving
   /// @param v_mps     speed of the wheelset along the track
   /// @param location_m  chainage of the wheelset: decides on the rail's condition
-  AxleForce computeAxleForce(double normal_N, double slip_mps, double v_mps, double location_m) const;
+  /// @param sanding   sand is laid before the wheels
+  AxleForce computeAxleForce(double normal_N, double slip_mps, double v_mps, double location_m,
+                             bool sanding = false) const;
 
  private:
   double shear_modulus_Pa_;

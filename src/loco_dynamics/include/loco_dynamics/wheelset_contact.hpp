@@ -19,6 +19,7 @@ struct WheelsetMotion {
   Vector6 v;                   ///< velocity there; the pitch's is the spin omega
   double curvature_1pm = 0.0;  ///< of the track
   double location_m = 0.0;     ///< chainage: decides on the rail's condition
+  bool sanding = false;        ///< sand is laid before the wheels
 };
 
 /// Contacts of a wheelset with both rails: normal forces, creepages, creep forces. Constant.                (W)
@@ -72,9 +73,15 @@ class WheelsetContact {
   /// All contacts of the wheelset, forces from velocities at the start of the step.
   void compute(const WheelsetMotion& motion, Contacts& out) const;
 
-  /// Makes the creep forces implicit (W5) and adds all forces to the loads.
+  /// Brake shoes on the treads of one wheelset.
+  struct Shoes {
+    double largest_N_m = 0.0;    ///< torque that they can take, >= 0
+    double turning_radps = 0.0;  ///< of the wheelset against the frame that carries them
+  };
+  /// Makes the creep forces implicit (W5) and adds all forces to the loads, with them those of the shoes (K1).
   /// @param inertia  of the wheelset: masses and moments of inertia
-  static void addForces(const Vector6& inertia, double h, Contacts& contacts, Vector6& load);
+  /// @return torque of the shoes on the wheelset [N m]
+  static double addForces(const Vector6& inertia, double h, Contacts& contacts, Vector6& load, const Shoes& shoes);
 
   /// What the forces did during the step, with the mean of its velocities [J].
   struct Work {

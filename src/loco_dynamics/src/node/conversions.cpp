@@ -35,6 +35,7 @@ void toMsg(const AxleAdhesion& a, train_msgs::AxleAdhesion& msg) {
   msg.force = a.force_N;
   msg.torque_demanded = a.torque_reference_N_m;
   msg.torque_applied = a.torque_N_m;
+  msg.shoe_torque = a.shoe_torque_N_m;
   msg.controller_active = static_cast<std::uint8_t>(a.controlled);
   msg.frictional_power = a.frictional_power_W;
   msg.t_gamma = a.t_gamma_N;
@@ -54,6 +55,7 @@ AxleAdhesion fromMsg(const train_msgs::AxleAdhesion& msg) {
   a.force_N = msg.force;
   a.torque_reference_N_m = msg.torque_demanded;
   a.torque_N_m = msg.torque_applied;
+  a.shoe_torque_N_m = msg.shoe_torque;
   a.controlled = msg.controller_active != 0;
   a.frictional_power_W = msg.frictional_power;
   a.t_gamma_N = msg.t_gamma;
@@ -123,6 +125,9 @@ ForceMessage fromMsg(const train_msgs::LocoForce& msg) {
   f.step_length = msg.step_length;
   f.traction_reference_N = msg.traction_reference;
   f.notch = msg.notch;
+  f.brake_notch = msg.brake_notch;
+  f.shoe_force_N = msg.shoe_force;
+  f.sanding = msg.sanding != 0;
   f.rim_power_limit_W = msg.rim_power_limit;
   f.coupler_front_N = msg.coupler_front;
   f.coupler_rear_N = msg.coupler_rear;
@@ -168,6 +173,9 @@ void toMsg(const ForceMessage& message, train_msgs::LocoForce& msg) {
   msg.step_length = f.step_length;
   msg.traction_reference = f.traction_reference_N;
   msg.notch = f.notch;
+  msg.brake_notch = f.brake_notch;
+  msg.shoe_force = f.shoe_force_N;
+  msg.sanding = static_cast<std::uint8_t>(f.sanding);
   msg.rim_power_limit = f.rim_power_limit_W;
   msg.coupler_front = f.coupler_front_N;
   msg.coupler_rear = f.coupler_rear_N;
@@ -187,6 +195,7 @@ void toMsg(const ExchangeId& id, const LocoTraction& t, train_msgs::LocoTraction
   msg.location = t.location_m;
   msg.work_rim = t.work_rim_J;
   msg.work_slip = t.work_slip_J;
+  msg.work_shoes = t.work_shoes_J;
   msg.state = t.state;
   reportToMsg(t.adhesion, msg);
 }
@@ -211,6 +220,7 @@ TractionMessage fromMsg(const train_msgs::LocoTraction& msg) {
   t.location_m = msg.location;
   t.work_rim_J = msg.work_rim;
   t.work_slip_J = msg.work_slip;
+  t.work_shoes_J = msg.work_shoes;
   t.state = msg.state;
   for (const train_msgs::AxleAdhesion& axle : msg.axles) t.adhesion.axles.push_back(fromMsg(axle));
   for (const train_msgs::ContactAdhesion& contact : msg.contacts) t.adhesion.contacts.push_back(fromMsg(contact));

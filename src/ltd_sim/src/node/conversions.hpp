@@ -15,7 +15,7 @@ using loco::toMsg;
 using loco::toStamp;
 
 /// Meaning of a bag's topics and fields; counts up when one changes.
-inline constexpr std::uint32_t kBagFormatVersion = 2;
+inline constexpr std::uint32_t kBagFormatVersion = 3;
 
 /// Telemetry of the train and its description, field by field. The messages of the lock:
 /// loco_dynamics/node/conversions.hpp.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "loco_dynamics/contact/creep_law.hpp"
@@ -14,11 +15,13 @@ struct RailConditions {
     CreepLawParameters creep;
   };
   CreepLawParameters elsewhere;
-  std::vector<Section> sections;  ///< rising, not overlapping
+  std::vector<Section> sections;                            ///< rising, not overlapping
+  std::optional<CreepLawParameters> sanded = std::nullopt;  ///< under sand, where the rail offers less than this
 };
 
 /// Asks a scenario's root for `adhesion` (usually adhesion_file) and, if it is there, `rail_sections`: a list of
-/// {from_km, to_km, adhesion or adhesion_file}, rising and not overlapping; leaves finish() to the caller.
+/// {from_km, to_km, adhesion or adhesion_file}, rising and not overlapping; and, if it is there, `sanded_adhesion`: the
+/// law under sand. Leaves finish() to the caller.
 RailConditions readRailConditions(rail::YamlReader& root);
 
 /// The creep law at every place. Constant after construction.
@@ -26,15 +29,18 @@ class CreepLawByPlace {
  public:
   explicit CreepLawByPlace(const RailConditions& rail);
   /// @param location_m  chainage of the wheelset. Allocates nothing.
-  const CreepLaw& at(double location_m) const;
+  /// @param sanding  sand is laid: the sanded law holds where it offers more friction (mu0) than the place does
+  const CreepLaw& at(double location_m, bool sanding) const;
 
  private:
+  const CreepLaw& unsanded(double location_m) const;
   struct Section {
     double from_m, to_m;
     CreepLaw law;
   };
   CreepLaw elsewhere_;
   std::vector<Section> sections_;
+  std::optional<CreepLaw> sanded_;
 };
 
 }  // namespace loco
