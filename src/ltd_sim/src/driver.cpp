@@ -3,61 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ltd_sim/csv_file.hpp"
-#include "rail_core/constants.hpp"
-#include "rail_core/csv_table.hpp"
-
 namespace ltd {
 
 namespace {
 
 constexpr const char* kLead = "lead";
 
-}  // namespace
-
-std::vector<Driver::Entry> Driver::readNotches(rail::YamlReader& reader, bool over_time, int largest_notch) {
-  std::vector<std::vector<double>> rows;
-  std::vector<int> lines;  // of the CSV; empty if the notches stand in the YAML
-  const bool table = reader.has("notches_table");
-  if (table) {
-    const rail::CsvTable csv = rail::readCsv(reader.text("notches_table"), reader.file("notches_table"),
-                                             {over_time ? "time_s" : "location_km", "notch"}, reader.problems());
-    rows = csv.rows;
-    lines = csv.line_of_row;
-    if (reader.has("notches")) {
-      reader.rows("notches", 2);
-      reader.refuse("notches", "must not stand beside notches_table");
-    }
-  } else {
-    rows = reader.rows("notches", 2);
-    if (rows.empty() && reader.has("notches")) reader.refuse("notches", "must have at least one entry [from, notch]");
-  }
-  const auto refuse = [&](std::size_t row, std::size_t column, const std::string& rule) {
-    if (!table) {
-      reader.refuse("notches." + std::to_string(row) + "." + std::to_string(column), rule);
-    } else {
-      const std::string name = column == 1 ? "notch" : over_time ? "time_s" : "location_km";
-      reader.problems().add(reader.file("notches_table"), "line " + std::to_string(lines[row]) + ": " + name,
-                            allDigits(rows[row][column]), rule);
-    }
-  };
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double notch = rows[i][1];
-    if (i > 0 && rows[i][0] <= rows[i - 1][0]) refuse(i, 0, "must be after the entry before it");
-    if (notch != std::floor(notch) || notch < 0.0 || notch > largest_notch)
-      refuse(i, 1, "must be a whole notch from 0 to " + std::to_string(largest_notch));
-    entries.push_back({over_time ? rows[i][0] : rows[i][0] * rail::kMetresPerKilometre, static_cast<int>(notch)});
-  }
-  return entries;
+int largestOf(const std::vector<int>& values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-Driver::Group Driver::readGroup(rail::YamlReader reader, int largest_notch) {
+}  // namespace
+
+Driver::Group Driver::readGroup(rail::YamlReader reader, int largest_notch, int largest_brake_notch) {
   Group group;
   group.largest_notch = largest_notch;
-  group.fixed = reader.has("notch");
+  group.largest_brake_notch = largest_brake_notch;
+  group.fixed = reader.has("notch") || reader.has("brake_notch");
   if (group.fixed) {
-    group.fixed_notch = reader.integer("notch", 0, largest_notch);
+    group.fixed_notch = reader.integerOr("notch", 0, largest_notch, 0);
+    group.fixed_brake_notch = reader.integerOr("brake_notch", 0, largest_brake_notch, 0);
+    if (group.fixed_notch > 0 && group.fixed_brake_notch > 0)
+      reader.refuse("brake_notch", "must be 0 beside a notch: never both at once");
   } else {
     reader.choice("follows", {kLead});
     const double delay_s = reader.numberOr("delay_s", rail::between(0.0, 600.0), 0.0);
@@ -70,44 +37,88 @@ Driver::Group Driver::readGroup(rail::YamlReader reader, int largest_notch) {
   return group;
 }
 
+ExternalDriver Driver::readExternal(rail::YamlReader& reader, rail::Nanoseconds macro_step,
+                                    const DriverSchedule::Largest& largest) {
+  ExternalDriver external;
+  const double period_s = reader.number("period_s", rail::aboveUpTo(0.0, 3600.0));
+  const std::optional<rail::Nanoseconds> period = rail::wholeNanoseconds(period_s);
+  external.period = period && *period > 0 ? *period : 1;
+  if (macro_step > 0 && (!period || *period % macro_step != 0))
+    reader.refuse("period_s", "must be a whole multiple of steps.macro_step_s");
+  external.answer_deadline_s = reader.number("answer_deadline_s", rail::positive());
+  rail::YamlReader silence = reader.map("on_silence");
+  DriverCommand& command = external.on_silence;
+  command.brake_notch = silence.integerOr("brake_notch", 0, largest.brake_notch, 0);
+  const double charged_bar = kChargedPipe_Pa / kPascalsPerBar;
+  command.pipe_pressure_Pa =
+      silence.numberOr("pipe_bar", rail::between(0.0, charged_bar), charged_bar) * kPascalsPerBar;
+  command.independent_brake = silence.numberOr("independent_brake", rail::between(0.0, 1.0), 0.0);
+  command.emergency = silence.booleanOr("emergency", false);
+  silence.finish();
+  return external;
+}
+
 Driver Driver::read(rail::YamlReader reader, const std::vector<std::string>& groups,
-                    const std::vector<int>& largest_notch) {
+                    const std::vector<int>& largest_notch, const std::vector<int>& largest_brake_notch,
+                    rail::Nanoseconds macro_step, const rail::Track& track, const TrainAbility& ability) {
   Driver driver;
-  driver.over_time_ = reader.choice("over", {"time", "place"}) == "time";
-  const int largest = largest_notch.empty() ? 0 : *std::max_element(largest_notch.begin(), largest_notch.end());
-  driver.entries_ = readNotches(reader, driver.over_time_, largest);
+  driver.largest_ = {largestOf(largest_notch), largestOf(largest_brake_notch)};
+  const std::string kind = reader.choiceOr("kind", {"schedule", "recorder", "timetable", "external"}, "schedule");
+  if (kind == "schedule") driver.schedule_ = DriverSchedule::read(reader, driver.largest_);
+  if (kind == "recorder") driver.schedule_ = DriverSchedule::readRecorder(reader, driver.largest_);
+  if (kind == "timetable")
+    driver.timetable_ = std::make_shared<const TimetableDriver>(TimetableDriver::read(reader, track, ability));
+  if (kind == "external") driver.external_ = readExternal(reader, macro_step, driver.largest_);
   rail::YamlReader map = reader.map("groups");
   for (std::size_t i = 0; i < groups.size(); ++i)
-    driver.groups_.push_back(readGroup(map.map(groups[i]), largest_notch[i]));
+    driver.groups_.push_back(readGroup(map.map(groups[i]), largest_notch[i], largest_brake_notch[i]));
   map.finish();
   reader.finish();
   return driver;
 }
 
-int Driver::leadNotch(rail::Nanoseconds t, double location_m) const {
-  const double at = over_time_ ? rail::toSeconds(t) : location_m;
-  const auto after = std::upper_bound(entries_.begin(), entries_.end(), at,
-                                      [](double value, const Entry& entry) { return value < entry.from; });
-  return after == entries_.begin() ? 0 : (after - 1)->notch;
+void Driver::command(const DriverView& view, State& state) const {
+  if (schedule_) state.lead = schedule_->at(view.t, view.location_m);
+  if (timetable_) timetable_->command(view, state.timetable, state.lead);
+  if (asksAt(view.t)) state.lead = state.given;
+  const DriverCommand& lead = state.lead;
+  if (state.changes.empty() || state.changes.back().notch != lead.notch ||
+      state.changes.back().brake_notch != lead.brake_notch)
+    state.changes.push_back({view.t, lead.notch, lead.brake_notch});
 }
 
-void Driver::observe(rail::Nanoseconds t, double location_m, State& state) const {
-  const int notch = leadNotch(t, location_m);
-  if (state.empty() || state.back().notch != notch) state.push_back({t, notch});
-}
-
-int Driver::notch(std::size_t group, rail::Nanoseconds t, const State& state) const {
+DriverCommand Driver::groupCommand(std::size_t group, rail::Nanoseconds t, const State& state) const {
   const Group& g = groups_[group];
-  if (g.fixed) return g.fixed_notch;
-  int lead = 0;
-  for (auto change = state.rbegin(); change != state.rend(); ++change) {
-    if (change->time <= t - g.delay) {
-      lead = change->notch;
-      break;
-    }
+  DriverCommand command = state.lead;
+  command.notch = g.fixed_notch;
+  command.brake_notch = g.fixed_brake_notch;
+  if (g.fixed) return command;
+  for (auto change = state.changes.rbegin(); change != state.changes.rend(); ++change) {
+    if (change->time > t - g.delay) continue;
+    // idle stays idle whatever the offset
+    command.notch = change->notch == 0 ? 0 : std::clamp(change->notch + g.notch_offset, 0, g.largest_notch);
+    command.brake_notch = std::min(change->brake_notch, g.largest_brake_notch);
+    break;
   }
-  if (lead == 0) return 0;  // idle stays idle whatever the offset
-  return std::clamp(lead + g.notch_offset, 0, g.largest_notch);
+  return command;
+}
+
+std::string Driver::give(const DriverCommand& answer, State& state) const {
+  const auto fault = [](const std::string& what, const std::string& rule) { return what + ": " + rule; };
+  if (answer.notch < 0 || answer.notch > largest_.notch)
+    return fault("notch = " + std::to_string(answer.notch), "must be 0 to " + std::to_string(largest_.notch));
+  if (answer.brake_notch < 0 || answer.brake_notch > largest_.brake_notch)
+    return fault("brake_notch = " + std::to_string(answer.brake_notch),
+                 "must be 0 to " + std::to_string(largest_.brake_notch));
+  if (answer.notch > 0 && answer.brake_notch > 0)
+    return fault("brake_notch = " + std::to_string(answer.brake_notch), "must be 0 beside a notch: never both at once");
+  if (!(answer.pipe_pressure_Pa >= 0.0 && answer.pipe_pressure_Pa <= kChargedPipe_Pa))
+    return fault("pipe_pressure_Pa = " + std::to_string(answer.pipe_pressure_Pa),
+                 "must be 0 to " + std::to_string(kChargedPipe_Pa));
+  if (!(answer.independent_brake >= 0.0 && answer.independent_brake <= 1.0))
+    return fault("independent_brake = " + std::to_string(answer.independent_brake), "must be 0 to 1");
+  state.given = answer;
+  return {};
 }
 
 }  // namespace ltd

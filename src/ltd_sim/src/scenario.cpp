@@ -114,11 +114,13 @@ OutputOptions readOutput(rail::YamlReader reader, const Bounds& bounds, rail::Na
   return output;
 }
 
-Driver readDriver(rail::YamlReader reader, const TrainModel& train) {
+Driver readDriver(rail::YamlReader reader, const TrainModel& train, rail::Nanoseconds macro_step,
+                  const rail::Track& track) {
   std::vector<int> largest(train.notch_groups.size(), 1 << 20);
   for (const LocoUnit& unit : train.locomotives)
     largest[unit.notch_group] = std::min(largest[unit.notch_group], train.traction[unit.type].notches());
-  return Driver::read(reader, train.notch_groups, largest);
+  const std::vector<int> largest_brake(train.notch_groups.size(), 0);  // no dynamic brakes yet
+  return Driver::read(reader, train.notch_groups, largest, largest_brake, macro_step, track);
 }
 
 /// Refuses keys that do nothing in this train; leaves them alone if the train is not known.
@@ -231,7 +233,7 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   const bool sections_known =
       isSound(problems, [&] { sections = readContactOptions(root, scenario, model_known && train_known, step_known); });
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
-  scenario.driver = readDriver(root.map("driver"), scenario.train);
+  scenario.driver = readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track);
   const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};
   scenario.output = readOutput(root.map("output"), bounds, scenario.macro_step, step_known);
   root.finish();

@@ -55,11 +55,15 @@ void TrainDynamics::computeTractionReferences(TrainState& state, TrainForces& fo
   forces.reference_N.resize(locos);
   forces.rim_power_limit_W.resize(locos);
   const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
-  driver_.observe(t, leadingLocation(state), state.driver);
+  DriverView view;  // the forces that a timetable's driver wants join with the brakes
+  view.t = t;
+  view.location_m = leadingLocation(state);
+  view.speed_mps = leadingSpeed(state);
+  driver_.command(view, state.driver);
   for (std::size_t i = 0; i < locos; ++i) {
     const LocoUnit& unit = train_.locomotives[i];
     const TractionCharacteristic& traction = train_.traction[unit.type];
-    const int notch = driver_.notch(unit.notch_group, t, state.driver);
+    const int notch = driver_.groupCommand(unit.notch_group, t, state.driver).notch;
     const double target_N = traction.computeForce(notch, state.v_mps[unit.vehicle]);
     forces.notch[i] = notch;
     forces.reference_N[i] = traction.computeResponse(state.reference_N[i], target_N, H_);

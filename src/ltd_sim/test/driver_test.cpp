@@ -14,7 +14,15 @@ constexpr rail::Nanoseconds kSecond = rail::kNanosecondsPerSecond;
 const std::string kPaperNotches = "[0, 1], [10, 2], [20, 3], [30, 4], [40, 5], [50, 6], [60, 7], [70, 8]";
 
 Driver read(const std::string& text, const std::vector<std::string>& groups, const std::vector<int>& largest) {
-  return fixtures::readMap(text, [&](rail::YamlReader reader) { return Driver::read(reader, groups, largest); });
+  return fixtures::readMap(
+      text, [&](rail::YamlReader reader) { return Driver::read(reader, groups, largest, largest, kStep, {}); });
+}
+
+ltd::DriverView view(rail::Nanoseconds t, double location_m) {
+  ltd::DriverView view;
+  view.t = t;
+  view.location_m = location_m;
+  return view;
 }
 
 /// Notches of a group at the given times after a drive in macro steps along a place that does not change.
@@ -23,9 +31,9 @@ std::vector<int> notchesAt(const Driver& driver, std::size_t group, const std::v
   std::vector<int> notches;
   std::size_t next = 0;
   for (rail::Nanoseconds t = 0; next < times.size(); t += kStep) {
-    driver.observe(t, 3000.0, state);
+    driver.command(view(t, 3000.0), state);
     if (t == times[next]) {
-      notches.push_back(driver.notch(group, t, state));
+      notches.push_back(driver.groupCommand(group, t, state).notch);
       ++next;
     }
   }
@@ -54,8 +62,8 @@ TEST(DriverTest, OverPlaceTheNotchChangesOnceTheLeadingLocomotiveIsThere) {
   const Driver driver = fixtures::makeDriver("[3.0, 2], [3.15, 5], [3.3, 0]", "place");
   const auto notchAt = [&](double location_m) {
     Driver::State state;
-    driver.observe(0, location_m, state);
-    return driver.notch(0, 0, state);
+    driver.command(view(0, location_m), state);
+    return driver.groupCommand(0, 0, state).notch;
   };
   EXPECT_EQ(notchAt(2999.999), 0);
   EXPECT_EQ(notchAt(3000.0), 2);
@@ -100,18 +108,35 @@ TEST(DriverGroupTest, DelayCountsFromTheChangeWhenDrivingOverPlace) {
       "1}}}",
       {"lead", "late"}, {8, 8});
   Driver::State state;
-  driver.observe(0, 3000.0, state);
-  driver.observe(7 * kSecond, 3100.0, state);
-  EXPECT_EQ(driver.notch(0, 7 * kSecond, state), 6);
-  EXPECT_EQ(driver.notch(1, 8 * kSecond - kStep, state), 1);
-  EXPECT_EQ(driver.notch(1, 8 * kSecond, state), 6);
+  driver.command(view(0, 3000.0), state);
+  driver.command(view(7 * kSecond, 3100.0), state);
+  EXPECT_EQ(driver.groupCommand(0, 7 * kSecond, state).notch, 6);
+  EXPECT_EQ(driver.groupCommand(1, 8 * kSecond - kStep, state).notch, 1);
+  EXPECT_EQ(driver.groupCommand(1, 8 * kSecond, state).notch, 6);
+}
+
+TEST(DriverGroupTest, BrakeNotchesAreDelayedAsWellButTheOffsetIsOfTractionAndAirIsTheLeads) {
+  const Driver driver = read(
+      "{over: time, notches: [[0, 3], [10, 0]], brake_notches: [[10, 6]], pipe_bar: [[10, 4.5]], sanding: [[10, 1]], "
+      "groups: {lead: {follows: lead}, remote: {follows: lead, delay_s: 2, notch_offset: -1}, dead: {notch: 0}, "
+      "helper: {brake_notch: 2}}}",
+      {"lead", "remote", "dead", "helper"}, {8, 5, 8, 8});
+  Driver::State state;
+  driver.command(view(0, 0.0), state);
+  driver.command(view(10 * kSecond, 0.0), state);
+  const ltd::DriverCommand early = driver.groupCommand(1, 12 * kSecond - kStep, state);
+  EXPECT_TRUE(early == (ltd::DriverCommand{2, 0, 4.5e5, 0.0, false, true}));
+  const ltd::DriverCommand late = driver.groupCommand(1, 12 * kSecond, state);
+  EXPECT_TRUE(late == (ltd::DriverCommand{0, 5, 4.5e5, 0.0, false, true}));  // 6 is more than this group has
+  EXPECT_TRUE(driver.groupCommand(2, 12 * kSecond, state) == (ltd::DriverCommand{0, 0, 4.5e5, 0.0, false, true}));
+  EXPECT_EQ(driver.groupCommand(3, 0, state).brake_notch, 2);
 }
 
 TEST(DriverGroupTest, StateRemembersChangesNotSteps) {
   const Driver driver = fixtures::makeDriver(kPaperNotches);
   Driver::State state;
-  for (rail::Nanoseconds t = 0; t < 25 * kSecond; t += kStep) driver.observe(t, 0.0, state);
-  EXPECT_EQ(state.size(), 3u);
+  for (rail::Nanoseconds t = 0; t < 25 * kSecond; t += kStep) driver.command(view(t, 0.0), state);
+  EXPECT_EQ(state.changes.size(), 3u);
 }
 
 std::string csvDriver(const std::string& over, const std::vector<std::string>& lines) {
@@ -125,13 +150,13 @@ TEST(DriverCsvTest, ReadsNotchesOverTimeAndOverPlace) {
   EXPECT_EQ(notchesAt(over_time, 0, {10 * kSecond - kStep, 10 * kSecond}), (std::vector<int>{1, 2}));
   const Driver over_place = read(csvDriver("place", {"notch,location_km", "3,3.0"}), {"lead"}, {8});
   Driver::State state;
-  over_place.observe(0, 3000.0, state);
-  EXPECT_EQ(over_place.notch(0, 0, state), 3);
+  over_place.command(view(0, 3000.0), state);
+  EXPECT_EQ(over_place.groupCommand(0, 0, state).notch, 3);
 }
 
 void expectFault(const std::string& text, const std::vector<std::string>& parts) {
-  const auto faults =
-      fixtures::faultsIn(text, [](rail::YamlReader reader) { return Driver::read(reader, {"lead"}, {8}); });
+  const auto faults = fixtures::faultsIn(
+      text, [](rail::YamlReader reader) { return Driver::read(reader, {"lead"}, {8}, {8}, kStep, {}); });
   EXPECT_EQ(faults.size(), 1u) << fixtures::joined(faults);
   EXPECT_TRUE(fixtures::anyHas(faults, parts)) << fixtures::joined(faults);
 }
@@ -161,6 +186,7 @@ TEST(DriverReadTest, RefusesBadGroups) {
   expectFault(begin + "{lead: {notch: 9}}}", {"groups.lead.notch = 9", "<= 8"});
   expectFault(begin + "{lead: {follows: lead, delay_s: -1}}}", {"groups.lead.delay_s = -1", ">= 0"});
   expectFault(begin + "{lead: {follows: lead, notch_offset: -9}}}", {"groups.lead.notch_offset = -9"});
+  expectFault(begin + "{lead: {notch: 1, brake_notch: 1}}}", {"groups.lead.brake_notch = 1", "never both"});
   expectFault(begin + "{lead: {notch: 0, follows: lead}}}", {"groups.lead.follows"});
 }
 

@@ -103,7 +103,8 @@ inline rail::Track uniformGrade(double permille) {
 /// Notches over time for the group `lead`, e.g. "[0, 1], [10, 2]".
 inline ltd::Driver makeDriver(const std::string& notches, const std::string& over = "time") {
   const std::string text = "{over: " + over + ", notches: [" + notches + "], groups: {lead: {follows: lead}}}";
-  return readMap(text, [](rail::YamlReader reader) { return ltd::Driver::read(reader, {"lead"}, {8}); });
+  return readMap(text,
+                 [](rail::YamlReader reader) { return ltd::Driver::read(reader, {"lead"}, {8}, {8}, 2000000, {}); });
 }
 inline ltd::Driver idleDriver() { return makeDriver("[0, 0]"); }
 

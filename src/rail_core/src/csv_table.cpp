@@ -81,17 +81,25 @@ bool checkHeader(const Line& header, const std::string& file, Problems& problems
   return good;
 }
 
-/// Unknown and missing columns. False if there are any.
-bool checkColumns(const Line& header, const std::string& file, const std::vector<std::string>& columns,
-                  Problems& problems) {
-  const std::string key = lineKey(header.number);
+/// False if there are columns that nobody knows.
+bool checkKnown(const Line& header, const std::string& file, const std::vector<std::string>& columns,
+                Problems& problems) {
   bool good = true;
   for (const std::string& name : header.cells) {
     if (contains(columns, name)) continue;
     const std::string near = nearestWord(name, columns);
-    problems.add(file, key, "unknown column '" + name + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?"));
+    problems.add(file, lineKey(header.number),
+                 "unknown column '" + name + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?"));
     good = false;
   }
+  return good;
+}
+
+/// False if a column is missing.
+bool checkComplete(const Line& header, const std::string& file, const std::vector<std::string>& columns,
+                   Problems& problems) {
+  const std::string key = lineKey(header.number);
+  bool good = true;
   for (const std::string& name : columns) {
     if (contains(header.cells, name)) continue;
     problems.add(file, key, "column '" + name + "' is missing");
@@ -115,9 +123,11 @@ std::optional<double> readCell(const std::string& cell, const std::string& file,
   return std::nullopt;
 }
 
-/// One row, its cells in the file's order; nothing if anything is wrong with it.
+/// One row, its cells in the file's order, those of other columns than `columns` as 0 whatever stands there; nothing if
+/// anything is wrong with it.
 std::optional<std::vector<double>> readRow(const Line& line, const std::vector<std::string>& names,
-                                           const std::string& file, Problems& problems) {
+                                           const std::vector<std::string>& columns, const std::string& file,
+                                           Problems& problems) {
   if (line.cells.size() != names.size()) {
     const char* const hint = line.cells.size() > names.size() ? " (a decimal comma?)" : "";
     problems.add(
@@ -127,6 +137,10 @@ std::optional<std::vector<double>> readRow(const Line& line, const std::vector<s
   }
   std::vector<double> row;
   for (std::size_t j = 0; j < names.size(); ++j) {
+    if (!contains(columns, names[j])) {
+      row.push_back(0.0);
+      continue;
+    }
     const std::optional<double> cell = readCell(line.cells[j], file, lineKey(line.number) + ": " + names[j], problems);
     if (cell) row.push_back(*cell);
   }
@@ -141,7 +155,7 @@ CsvTable readRows(const std::vector<Line>& lines, const std::string& file, const
   table.columns = columns;
   const std::vector<std::string>& names = lines.front().cells;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    const std::optional<std::vector<double>> cells = readRow(lines[i], names, file, problems);
+    const std::optional<std::vector<double>> cells = readRow(lines[i], names, columns, file, problems);
     if (!cells) continue;
     std::vector<double> row;
     for (const std::string& column : columns) {
@@ -162,8 +176,10 @@ int CsvTable::column(const std::string& name) const {
   return at == columns.end() ? -1 : static_cast<int>(at - columns.begin());
 }
 
-CsvTable readCsv(const std::string& text, const std::string& file, const std::vector<std::string>& columns,
-                 Problems& problems) {
+namespace {
+
+CsvTable readNamed(const std::string& text, const std::string& file, const std::vector<std::string>& columns,
+                   bool others_allowed, Problems& problems) {
   const std::vector<Line> lines = splitLines(text);
   CsvTable empty;
   empty.columns = columns;
@@ -172,8 +188,22 @@ CsvTable readCsv(const std::string& text, const std::string& file, const std::ve
     return empty;
   }
   if (!checkHeader(lines.front(), file, problems)) return empty;
-  if (!checkColumns(lines.front(), file, columns, problems)) return empty;
+  const bool known = others_allowed || checkKnown(lines.front(), file, columns, problems);
+  const bool complete = checkComplete(lines.front(), file, columns, problems);
+  if (!known || !complete) return empty;
   return readRows(lines, file, columns, problems);
+}
+
+}  // namespace
+
+CsvTable readCsv(const std::string& text, const std::string& file, const std::vector<std::string>& columns,
+                 Problems& problems) {
+  return readNamed(text, file, columns, false, problems);
+}
+
+CsvTable readCsvColumns(const std::string& text, const std::string& file, const std::vector<std::string>& columns,
+                        Problems& problems) {
+  return readNamed(text, file, columns, true, problems);
 }
 
 CsvTable readOpenCsv(const std::string& text, const std::string& file, const std::string& first, Problems& problems) {

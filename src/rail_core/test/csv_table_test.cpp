@@ -106,5 +106,15 @@ TEST(OpenCsvTest, FirstColumnMustBeTheNamedOne) {
                                      "f: line 1: column 'a' is given twice", "f: is empty"}));
 }
 
+TEST(CsvColumnsTest, OtherColumnsAreOfNoMatterWhateverStandsInThem) {
+  Problems problems;
+  const CsvTable table = readCsvColumns("clock,v,km\n08:00,3,1\n,4,2\n", "f", {"km", "v"}, problems);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(table.rows, (std::vector<std::vector<double>>{{1.0, 3.0}, {2.0, 4.0}}));
+  readCsvColumns("clock,v\n08:00,x\n", "f", {"km", "v"}, problems);
+  readCsvColumns("clock,v\n08:00,x\n", "f", {"v"}, problems);
+  EXPECT_EQ(problems.lines(), (Lines{"f: line 1: column 'km' is missing", "f: line 2: v = x: must be a number"}));
+}
+
 }  // namespace
 }  // namespace rail

@@ -23,6 +23,11 @@ struct CsvTable {
 CsvTable readCsv(const std::string& text, const std::string& file, const std::vector<std::string>& columns,
                  Problems& problems);
 
+/// Reads the named columns of a table that may have others; what stands in those is of no matter, it need not be a
+/// number.
+CsvTable readCsvColumns(const std::string& text, const std::string& file, const std::vector<std::string>& columns,
+                        Problems& problems);
+
 /// Reads a table whose columns the file names itself (`first` must be the name of the first one).
 CsvTable readOpenCsv(const std::string& text, const std::string& file, const std::string& first, Problems& problems);
 

@@ -1,0 +1,69 @@
+#include "driver_reading.hpp"
+
+namespace {
+
+using drivers::expectFault;
+using drivers::kSecond;
+using drivers::kStep;
+using drivers::viewAt;
+using ltd::DriverCommand;
+
+const std::string kExternal = "kind: external\nperiod_s: 0.5\nanswer_deadline_s: 3\non_silence: {pipe_bar: 3.5}\n";
+
+TEST(DriverExternalTest, AsksEveryPeriodAndHoldsTheAnswerBetween) {
+  const ltd::Driver driver = drivers::read(kExternal);
+  ltd::Driver::State state;
+  std::vector<int> notches;
+  int questions = 0;
+  for (rail::Nanoseconds t = 0; t <= kSecond; t += kStep) {
+    if (driver.asksAt(t)) {
+      DriverCommand answer;
+      answer.notch = ++questions;
+      EXPECT_EQ(driver.give(answer, state), "");
+    }
+    driver.command(viewAt(t, 0.0), state);
+    if (t == 0 || t == kSecond / 2 - kStep || t == kSecond / 2 || t == kSecond)
+      notches.push_back(driver.lead(state).notch);
+  }
+  EXPECT_EQ(questions, 3);
+  EXPECT_EQ(notches, (std::vector<int>{1, 1, 2, 3}));
+}
+
+TEST(DriverExternalTest, SilenceIsWhatTheUserSaidWithTractionOff) {
+  const ltd::Driver driver = drivers::read(kExternal);
+  ltd::Driver::State state;
+  DriverCommand answer;
+  answer.notch = 5;
+  EXPECT_EQ(driver.give(answer, state), "");
+  driver.command(viewAt(0, 0.0), state);
+  driver.giveSilence(state);
+  driver.command(viewAt(kSecond / 2, 0.0), state);
+  EXPECT_TRUE(driver.lead(state) == (DriverCommand{0, 0, 3.5e5, 0.0, false, false}));
+  EXPECT_EQ(driver.external()->answer_deadline_s, 3.0);
+}
+
+TEST(DriverExternalTest, ARefusedAnswerIsNamedAndChangesNothing) {
+  const ltd::Driver driver = drivers::read(kExternal);
+  ltd::Driver::State state;
+  const auto refusal = [&](const DriverCommand& answer) { return driver.give(answer, state); };
+  EXPECT_EQ(refusal({9, 0, 5.0e5, 0.0, false, false}), "notch = 9: must be 0 to 8");
+  EXPECT_EQ(refusal({0, -1, 5.0e5, 0.0, false, false}), "brake_notch = -1: must be 0 to 8");
+  EXPECT_EQ(refusal({1, 1, 5.0e5, 0.0, false, false}), "brake_notch = 1: must be 0 beside a notch: never both at once");
+  EXPECT_TRUE(fixtures::contains(refusal({0, 0, std::nan(""), 0.0, false, false}), "pipe_pressure_Pa = nan"));
+  EXPECT_TRUE(fixtures::contains(refusal({0, 0, 6.0e5, 0.0, false, false}), "pipe_pressure_Pa"));
+  EXPECT_TRUE(fixtures::contains(refusal({0, 0, 5.0e5, 1.5, false, false}), "independent_brake"));
+  EXPECT_TRUE(state.given == DriverCommand{});
+}
+
+TEST(DriverExternalReadTest, RefusesAPeriodThatIsNoMultipleOfTheMacroStepAndOtherFaults) {
+  const std::string rest = "answer_deadline_s: 3\non_silence: {pipe_bar: 3.5}\n";
+  expectFault("kind: external\nperiod_s: 0.003\n" + rest, {"period_s = 0.003", "multiple of steps.macro_step_s"});
+  expectFault("kind: external\nperiod_s: 0\n" + rest, {"period_s = 0", "> 0"});
+  expectFault("kind: external\nperiod_s: 1\nanswer_deadline_s: 3\n", {"on_silence", "is missing"});
+  expectFault("kind: external\nperiod_s: 1\nanswer_deadline_s: 3\non_silence: {notch: 3}\n",
+              {"on_silence.notch", "unknown key"});
+  expectFault("kind: external\nperiod_s: 1\nanswer_deadline_s: 3\non_silence: {pipe_bar: 6}\n",
+              {"on_silence.pipe_bar = 6", "<= 5"});
+}
+
+}  // namespace
