@@ -100,7 +100,13 @@ class TrainBuilder {
     unit.model = loco::readModelOr(group, model_);
     unit.adhesion_limit = loco::readAdhesionLimit(vehicle);
     unit.type = train_.traction.size();
-    train_.traction.push_back(TractionCharacteristic::read(vehicle.map("traction")));
+    const std::size_t problems_before = vehicle.problems().count();
+    const TractionCharacteristic traction = TractionCharacteristic::read(vehicle.map("traction"));
+    const bool known_traction = vehicle.problems().count() == problems_before;
+    train_.traction.push_back(traction);
+    const double full_power_W = known_traction ? traction.computeRimPowerLimit(traction.notches()) : 0.0;
+    const bool supplied = vehicle.has("supply");
+    train_.supplies.push_back(supplied ? PowerSupply::read(vehicle.map("supply"), full_power_W) : PowerSupply());
     const std::string name = group.text("notch_group");
     const auto known = std::find(train_.notch_groups.begin(), train_.notch_groups.end(), name);
     unit.notch_group = static_cast<std::size_t>(known - train_.notch_groups.begin());

@@ -72,6 +72,7 @@ inline ltd::TrainModel makeTrain(const std::vector<rail::Vehicle>& vehicles, con
     train.coupler_distance_m.push_back(0.5 * (vehicles[i].length_m + vehicles[i + 1].length_m));
   }
   train.traction.push_back(paperTraction());
+  train.supplies.emplace_back();
   for (const std::size_t place : locos) train.locomotives.push_back({place, 0, 0, 0.35, "1d", "train"});
   train.notch_groups = {"lead"};
   return train;

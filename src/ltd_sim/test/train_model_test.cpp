@@ -62,6 +62,42 @@ TEST(TrainModelTest, CountsVehiclesFromTheHead) {
   EXPECT_DOUBLE_EQ(train.grossMass_t(), 13002.0);
 }
 
+/// A locomotive of 4.10 MW with a diesel of this rated power, without losses and auxiliaries.
+std::string suppliedLoco(const std::string& rated_W, const std::string& traction = "power_at_rail_W: 4.10e6") {
+  std::string text = locos(1, "lead");
+  text.replace(text.find("power_at_rail_W: 4.10e6"), 23, traction);
+  const std::string supply =
+      ", supply: {name: s, kind: diesel, drivetrain_efficiency: 1, auxiliary_power_W: 0, auxiliary_share_of_rim_power: "
+      "0, generator_efficiency: 1, engine: {rated_power_W: " +
+      rated_W + ", idle_fuel_W: 0, fuel_J_per_l: 36.0e6, efficiency: [[1, 0.4]]}}";
+  return text.insert(text.find(", traction:"), supply);
+}
+
+TEST(TrainModelTest, ALocomotiveMayHaveASupplyAndTheTypesKeepTheirOrder) {
+  const TrainModel train = read(locos(2, "lead") + "," + wagons(1) + "," + suppliedLoco("4.2e6"));
+  ASSERT_EQ(train.supplies.size(), train.traction.size());
+  EXPECT_FALSE(train.supplies[train.locomotives[1].type].exists());
+  EXPECT_TRUE(train.supplies[train.locomotives[2].type].exists());
+}
+
+TEST(TrainModelTest, ASupplyMustServeItsTractionAndIsNotJudgedByAFaultyOne) {
+  const std::vector<std::string> weak = fixtures::faultsIn(trainText(suppliedLoco("4.0e6")), reading(false));
+  ASSERT_EQ(weak.size(), 1u);
+  EXPECT_EQ(weak[0],
+            "test.yaml: train.groups.0.vehicle.supply.engine.rated_power_W = 4.0e6: serves 4000000 W at the rim, must "
+            "serve 4100000 W, the most that `traction` asks");
+  const std::string faulty = trainText(suppliedLoco("4.0e6", "power_at_rail_W: 4.10"));
+  EXPECT_EQ(fixtures::faultsIn(faulty, reading(false)).size(), 1u);
+}
+
+TEST(TrainModelTest, AWagonHasNoSupply) {
+  std::string wagon = wagons(1);
+  wagon.insert(wagon.find("mass_kg"), "supply: {}, ");
+  const std::vector<std::string> lines = fixtures::faultsIn(trainText(locos(1, "lead") + "," + wagon), reading(false));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NE(lines[0].find("train.groups.1.vehicle.supply"), std::string::npos) << lines[0];
+}
+
 TEST(TrainModelTest, LocomotivesMayStandAnywhereInNotchGroupsOfTheirOwn) {
   const TrainModel train = read(wagons(1) + "," + locos(1, "lead") + "," + wagons(2) + "," + locos(2, "remote") + "," +
                                 wagons(1) + "," + locos(1, "lead"));
