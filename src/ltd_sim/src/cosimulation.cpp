@@ -32,15 +32,17 @@ void mixIn(std::uint64_t& digest, std::uint64_t payload) {
 }  // namespace
 
 Cosimulation::Cosimulation(const Scenario& scenario, std::vector<loco::LocoPort*> ports,
-                           std::vector<RunObserver*> observers)
+                           std::vector<RunObserver*> observers, DriverPort* driver)
     : scenario_(scenario),
       ports_(std::move(ports)),
       observers_(std::move(observers)),
-      dynamics_(scenario.train, scenario.track, scenario.driver, scenario.macro_step),
+      driver_port_(driver),
+      dynamics_(scenario.train, scenario.track, scenario.driver, scenario.air_brake, scenario.macro_step),
       state_(dynamics_.initialState(scenario.run.start_location_m, scenario.run.start_speed_mps)),
       loco_forces_(ports_.size()),
       answers_(ports_.size(), nullptr) {
   assert(ports_.size() == scenario.train.locomotives.size());
+  assert(!scenario.driver.external() || driver != nullptr);
   dynamics_.updateStoredEnergies(state_);
 }
 
@@ -52,12 +54,39 @@ void Cosimulation::start() {
 
 void Cosimulation::begin() {
   assert(!under_way_ && !outcome_.ended());
-  dynamics_.computeForces(state_, forces_);
+  under_way_ = true;
+  dynamics_.computeOuterForces(state_, forces_);
+  asks_driver_ = scenario_.driver.asksAt(time()) && silence_.empty();
+  if (asks_driver_)
+    driver_port_->ask(state_.step, forces_.view);
+  else
+    sendForces();
+}
+
+void Cosimulation::sendForces() {
+  dynamics_.decide(state_, forces_);
   for (std::size_t i = 0; i < ports_.size(); ++i) {
     dynamics_.fillLocoForce(i, state_, forces_, loco_forces_[i]);
     ports_[i]->send(loco_forces_[i], state_.loco_state[i]);
   }
-  under_way_ = true;
+}
+
+/// @return true once it is known what the driver wants, or that he is silent
+bool Cosimulation::takeCommand() {
+  if (const DriverCommand* command = driver_port_->answer()) {
+    std::string fault = scenario_.driver.give(*command, state_.driver);
+    if (fault.empty()) fault = scenario_.air_brake.refuse(*command);
+    if (fault.empty()) return true;
+    driver_port_->refuse(fault);
+  }
+  if (!driver_port_->silent()) return false;
+  char text[160];
+  std::snprintf(text, sizeof text, "driver: no answer within %g s to the question of %.3f s at %s: the train brakes",
+                scenario_.driver.external()->answer_deadline_s, rail::toSeconds(time()),
+                kilometres(leadingLocation()).c_str());
+  silence_ = text;
+  scenario_.driver.giveSilence(state_.driver);
+  return true;
 }
 
 bool Cosimulation::gatherAnswers() {
@@ -69,7 +98,13 @@ bool Cosimulation::gatherAnswers() {
 }
 
 bool Cosimulation::tryCommit() {
-  if (!under_way_ || !gatherAnswers()) return false;
+  if (!under_way_) return false;
+  if (asks_driver_) {
+    if (!takeCommand()) return false;
+    asks_driver_ = false;
+    sendForces();
+  }
+  if (!gatherAnswers()) return false;
   before_ = state_;
   std::string fault = modelFailure();  // first: of an answer that failed nothing else holds
   if (fault.empty()) fault = dynamics_.step(state_, forces_, answers_);
@@ -134,6 +169,13 @@ void Cosimulation::checkEnd() {
     char text[48];
     std::snprintf(text, sizeof text, "reached the end time %g s", rail::toSeconds(scenario_.run.end_time));
     end(Outcome::Kind::kFinished, text);
+  } else if (const std::string fault = runaway(); !fault.empty()) {
+    end(Outcome::Kind::kFailed, fault);
+  } else if (stands()) {
+    if (!silence_.empty())
+      end(Outcome::Kind::kFailed, silence_ + ", and stands at " + kilometres(leadingLocation()));
+    else if (scenario_.run.standstill_time > 0)
+      end(Outcome::Kind::kFinished, "stands at " + kilometres(leadingLocation()));
   } else if (stalled()) {
     end(Outcome::Kind::kFailed, "stalled at " + kilometres(leadingLocation()) +
                                     ": traction on, and slower than stall.speed_below_mps for stall.for_s");
@@ -150,11 +192,51 @@ bool Cosimulation::stalled() {
   return time() - state_.slow_since >= scenario_.run.stall_time;
 }
 
+/// At rest since run.end_at_standstill_s, after having moved.
+bool Cosimulation::stands() {
+  constexpr double kMoving_mps = 0.1, kResting_mps = 0.005;  // chosen: a locomotive's wheels creep on a grade
+  const double v = std::abs(leadingSpeed());
+  state_.moved = state_.moved || v > kMoving_mps;
+  if (!state_.moved || v > kResting_mps) {
+    state_.standing_since = -1;
+    return false;
+  }
+  if (state_.standing_since < 0) state_.standing_since = time();
+  return time() - state_.standing_since >= scenario_.run.standstill_time;
+}
+
+std::string Cosimulation::runaway() const {
+  const double limit_mps = forces_.view.speed_limit_mps;
+  if (leadingSpeed() <= limit_mps + scenario_.run.runaway_margin_mps) return {};
+  char text[160];
+  std::snprintf(text, sizeof text, "runaway at %s: %.1f km/h where %.1f are allowed, beyond run.runaway_above_limit_kmph",
+                kilometres(leadingLocation()).c_str(), leadingSpeed() * rail::kKmphPerMps,
+                limit_mps * rail::kKmphPerMps);
+  return text;
+}
+
+/// What a reader of the results should know, though the run went on.
+std::vector<std::string> Cosimulation::collectNotes() const {
+  std::vector<std::string> notes = scenario_.driver.notes(state_.driver);
+  if (!silence_.empty()) notes.push_back(silence_);
+  for (std::size_t i = 0; i < state_.supply.size(); ++i) {
+    const PowerSupply::State& supply = state_.supply[i];
+    if (supply.empty_since_s >= 0.0) {
+      char text[96];
+      std::snprintf(text, sizeof text, "%s: its store was empty, first after %.1f s", nameOf(i).c_str(),
+                    supply.empty_since_s);
+      notes.emplace_back(text);
+    }
+  }
+  return notes;
+}
+
 void Cosimulation::end(Outcome::Kind kind, const std::string& reason) {
   if (outcome_.ended()) return;
   under_way_ = false;
   outcome_.kind = kind;
   outcome_.reason = reason;
+  outcome_.notes = collectNotes();
   dynamics_.updateStoredEnergies(state_);
   for (RunObserver* observer : observers_) {
     try {

@@ -81,6 +81,11 @@ void writeOutcome(const std::string& folder, const Outcome& outcome, double time
   yaml << YAML::BeginMap;
   yaml << YAML::Key << "outcome" << YAML::Value << toString(outcome.kind);
   yaml << YAML::Key << "reason" << YAML::Value << YAML::DoubleQuoted << outcome.reason;
+  if (!outcome.notes.empty()) {
+    yaml << YAML::Key << "notes" << YAML::Value << YAML::BeginSeq;
+    for (const std::string& note : outcome.notes) yaml << YAML::DoubleQuoted << note;
+    yaml << YAML::EndSeq;
+  }
   yaml << YAML::Key << "step" << YAML::Value << step;
   yaml << YAML::Key << "time_s" << YAML::Value << allDigits(time_s);
   yaml << YAML::Key << "location_km" << YAML::Value << allDigits(location_km);

@@ -45,6 +45,10 @@ RunLimits readRun(rail::YamlReader reader) {
   run.stall_speed_mps = stall.number("speed_below_mps", rail::notNegative());
   run.stall_time = readTime(stall, "for_s", rail::aboveUpTo(0.0, 1e5));
   stall.finish();
+  if (reader.has("end_at_standstill_s"))
+    run.standstill_time = readTime(reader, "end_at_standstill_s", rail::aboveUpTo(0.0, 1e5));
+  if (reader.has("runaway_above_limit_kmph"))
+    run.runaway_margin_mps = reader.number("runaway_above_limit_kmph", rail::between(0.0, 400.0)) / rail::kKmphPerMps;
   if (places_known && run.end_location_m <= run.start_location_m)
     reader.refuse("end_location_km", "must be ahead of start_location_km");
   reader.finish();
@@ -119,7 +123,10 @@ Driver readDriver(rail::YamlReader reader, const TrainModel& train, rail::Nanose
   std::vector<int> largest(train.notch_groups.size(), 1 << 20);
   for (const LocoUnit& unit : train.locomotives)
     largest[unit.notch_group] = std::min(largest[unit.notch_group], train.traction[unit.type].notches());
-  const std::vector<int> largest_brake(train.notch_groups.size(), 0);  // no dynamic brakes yet
+  std::vector<int> largest_brake(train.notch_groups.size(), 1 << 20);
+  for (const LocoUnit& unit : train.locomotives)
+    largest_brake[unit.notch_group] =
+        std::min(largest_brake[unit.notch_group], train.dynamic_brakes[unit.type].notches());
   return Driver::read(reader, train.notch_groups, largest, largest_brake, macro_step, track);
 }
 
@@ -234,6 +241,7 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
       isSound(problems, [&] { sections = readContactOptions(root, scenario, model_known && train_known, step_known); });
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
   scenario.driver = readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track);
+  if (root.has("air_brake")) scenario.air_brake = AirBrake::read(root.map("air_brake"), scenario.train);
   const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};
   scenario.output = readOutput(root.map("output"), bounds, scenario.macro_step, step_known);
   root.finish();

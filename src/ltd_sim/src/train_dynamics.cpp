@@ -1,21 +1,27 @@
 #include "ltd_sim/train_dynamics.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ltd_sim/resistance.hpp"
 
 namespace ltd {
 
 TrainDynamics::TrainDynamics(const TrainModel& train, const rail::Track& track, const Driver& driver,
-                             rail::Nanoseconds step)
+                             const AirBrake& air_brake, rail::Nanoseconds step)
     : train_(train),
       track_(track),
       driver_(driver),
+      air_brake_(air_brake),
       step_ns_(step),
       H_(rail::toSeconds(step)),
       track_hint_(train.vehicles.size(), 0),
+      is_locomotive_(train.vehicles.size(), false),
       traction_(train.vehicles.size(), 0.0),
-      v_old_(train.vehicles.size(), 0.0) {}
+      v_old_(train.vehicles.size(), 0.0) {
+  for (const LocoUnit& unit : train.locomotives) is_locomotive_[unit.vehicle] = true;
+}
 
 TrainState TrainDynamics::initialState(double location_m, double speed_mps) const {
   const std::size_t n = train_.vehicles.size();
@@ -31,14 +37,21 @@ TrainState TrainDynamics::initialState(double location_m, double speed_mps) cons
   state.traction_N.assign(locos, 0.0);
   state.loco_energy.assign(locos, {});
   state.loco_state.assign(locos, {});
+  for (const LocoUnit& unit : train_.locomotives) state.supply.push_back(train_.supplies[unit.type].initialState());
+  state.air = air_brake_.initialState();
   return state;
 }
 
 void TrainDynamics::computeForces(TrainState& state, TrainForces& forces) {
+  computeOuterForces(state, forces);
+  decide(state, forces);
+}
+
+void TrainDynamics::computeOuterForces(const TrainState& state, TrainForces& forces) {
   computeCouplerForces(state, forces);
-  computeTractionReferences(state, forces);
   computeTrackForces(state, forces);
   computeStepUse(forces);
+  fillView(state, forces);
 }
 
 void TrainDynamics::computeCouplerForces(const TrainState& state, TrainForces& forces) const {
@@ -49,26 +62,51 @@ void TrainDynamics::computeCouplerForces(const TrainState& state, TrainForces& f
   }
 }
 
-void TrainDynamics::computeTractionReferences(TrainState& state, TrainForces& forces) const {
-  const std::size_t locos = train_.locomotives.size();
-  forces.notch.resize(locos);
-  forces.reference_N.resize(locos);
-  forces.rim_power_limit_W.resize(locos);
-  const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
-  DriverView view;  // the forces that a timetable's driver wants join with the brakes
-  view.t = t;
+void TrainDynamics::fillView(const TrainState& state, TrainForces& forces) const {
+  DriverView& view = forces.view;
+  view.t = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
   view.location_m = leadingLocation(state);
   view.speed_mps = leadingSpeed(state);
-  driver_.command(view, state.driver);
+  view.grade_N = view.resistance_N = view.air_brake_N = view.traction_N = 0.0;
+  for (std::size_t i = 0; i < train_.vehicles.size(); ++i) {
+    view.grade_N += forces.grade_N[i];
+    view.resistance_N += forces.propulsion_N[i] + forces.curving_N[i];
+    view.air_brake_N += forces.air_brake_N[i];
+  }
+  for (const double traction_N : state.traction_N) view.traction_N += traction_N;
+  view.pipe_pressure_Pa =
+      air_brake_.present() ? air_brake_.pipePressure(train_.locomotives.front().vehicle, state.air) : kChargedPipe_Pa;
+}
+
+void TrainDynamics::decide(TrainState& state, TrainForces& forces) const {
+  const std::size_t locos = train_.locomotives.size();
+  forces.notch.resize(locos);
+  forces.brake_notch.resize(locos);
+  forces.reference_N.resize(locos);
+  forces.rim_power_limit_W.resize(locos);
+  driver_.command(forces.view, state.driver);
   for (std::size_t i = 0; i < locos; ++i) {
     const LocoUnit& unit = train_.locomotives[i];
     const TractionCharacteristic& traction = train_.traction[unit.type];
-    const int notch = driver_.groupCommand(unit.notch_group, t, state.driver).notch;
-    const double target_N = traction.computeForce(notch, state.v_mps[unit.vehicle]);
-    forces.notch[i] = notch;
-    forces.reference_N[i] = traction.computeResponse(state.reference_N[i], target_N, H_);
-    forces.rim_power_limit_W[i] = traction.computeRimPowerLimit(notch);
+    const DriverCommand command = driver_.groupCommand(unit.notch_group, forces.view.t, state.driver);
+    const double v = state.v_mps[unit.vehicle];
+    forces.notch[i] = command.emergency ? 0 : command.notch;
+    forces.brake_notch[i] = command.brake_notch;
+    const double available_W = train_.supplies[unit.type].availableRimPower(state.supply[i], H_);
+    double target_N = traction.computeForce(forces.notch[i], v);
+    if (target_N * std::max(v, 0.0) > available_W) target_N = available_W / v;
+    if (available_W <= 0.0) target_N = 0.0;
+    if (forces.brake_notch[i] > 0) target_N = -train_.dynamic_brakes[unit.type].computeForce(forces.brake_notch[i], v);
+    forces.reference_N[i] = respond(unit, state.reference_N[i], target_N);
+    forces.rim_power_limit_W[i] = std::min(traction.computeRimPowerLimit(forces.notch[i]), available_W);
   }
+}
+
+/// Motor response (T4) over both signs: from traction to braking, or back, through 0.
+double TrainDynamics::respond(const LocoUnit& unit, double last_N, double target_N) const {
+  if (last_N > 0.0 || (last_N == 0.0 && target_N >= 0.0))
+    return std::max(0.0, train_.traction[unit.type].computeResponse(last_N, std::max(target_N, 0.0), H_));
+  return -train_.dynamic_brakes[unit.type].computeResponse(-last_N, std::max(-target_N, 0.0), H_);
 }
 
 void TrainDynamics::computeTrackForces(const TrainState& state, TrainForces& forces) {
@@ -76,6 +114,9 @@ void TrainDynamics::computeTrackForces(const TrainState& state, TrainForces& for
   forces.grade_N.resize(n);
   forces.propulsion_N.resize(n);
   forces.curving_N.resize(n);
+  forces.air_brake_N.resize(n);
+  forces.shoe_N.resize(n);
+  forces.view.speed_limit_mps = std::numeric_limits<double>::infinity();
   for (std::size_t j = 0; j < train_.locomotives.size(); ++j)
     traction_[train_.locomotives[j].vehicle] = state.traction_N[j];  // this step's is not known yet
   for (std::size_t i = 0; i < n; ++i) {
@@ -86,12 +127,16 @@ void TrainDynamics::computeTrackForces(const TrainState& state, TrainForces& for
     const double F_G = computeGradeForce(vehicle, here.grade);
     const double R_pr = computePropulsionResistance(vehicle, state.v_mps[i]);
     const double R_cr = computeCurvingResistance(vehicle, here.curvature_1pm);
-    const double R = R_pr + R_cr;
+    forces.shoe_N[i] = air_brake_.present() ? air_brake_.shoeForce(i, state.v_mps[i], state.air) : 0.0;
+    const double R_ab = is_locomotive_[i] ? 0.0 : forces.shoe_N[i];
+    const double R = R_pr + R_cr + R_ab;
     const double F_res =
         computeHeldResistance(F_c1 + F_c2 + F_G + traction_[i], R, train_.inertial_mass_kg[i], state.v_mps[i], H_);
     forces.grade_N[i] = F_G;
     forces.curving_N[i] = R > 0.0 ? F_res * (R_cr / R) : 0.0;
-    forces.propulsion_N[i] = F_res - forces.curving_N[i];
+    forces.air_brake_N[i] = R > 0.0 ? F_res * (R_ab / R) : 0.0;
+    forces.propulsion_N[i] = F_res - forces.curving_N[i] - forces.air_brake_N[i];
+    forces.view.speed_limit_mps = std::min(forces.view.speed_limit_mps, here.speed_limit_mps);
   }
 }
 
@@ -116,6 +161,9 @@ void TrainDynamics::fillLocoForce(std::size_t i, const TrainState& state, const 
   out.step_length = step_ns_;
   out.traction_reference_N = forces.reference_N[i];
   out.notch = forces.notch[i];
+  out.brake_notch = forces.brake_notch[i];
+  out.shoe_force_N = forces.shoe_N[vehicle];
+  out.sanding = driver_.lead(state.driver).sanding;
   out.rim_power_limit_W = forces.rim_power_limit_W[i];
   out.coupler_front_N = vehicle > 0 ? forces.coupler[vehicle - 1].force_N : 0.0;
   out.coupler_rear_N = vehicle + 1 < train_.vehicles.size() ? -forces.coupler[vehicle].force_N : 0.0;
@@ -139,7 +187,7 @@ std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
   for (std::size_t i = 0; i < n; ++i) {
     const double F_c1 = i > 0 ? forces.coupler[i - 1].force_N : 0.0;
     const double F_c2 = i + 1 < n ? -forces.coupler[i].force_N : 0.0;
-    const double F = F_c1 + F_c2 + traction_[i] + /* F_db + F_ab: whole trips */ forces.propulsion_N[i] +
+    const double F = F_c1 + F_c2 + traction_[i] + forces.air_brake_N[i] + forces.propulsion_N[i] +
                      forces.curving_N[i] + forces.grade_N[i];          // Eq. (1)
     state.v_mps[i] = v_old_[i] + H_ * F / train_.inertial_mass_kg[i];  // (T5)
     state.s_m[i] += H_ * state.v_mps[i];
@@ -147,19 +195,39 @@ std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
     if (!std::isfinite(state.v_mps[i])) return "vehicle " + std::to_string(i + 1) + ": its speed is not a number";
   }
   bookCouplers(state, forces, state.account);
-  for (std::size_t j = 0; j < answers.size(); ++j) {
-    const std::size_t vehicle = train_.locomotives[j].vehicle;
-    const double S = H_ * 0.5 * (v_old_[vehicle] + state.v_mps[vehicle]);
-    const double work_rail = answers[j]->traction_N * S;  // Eq. (4)
-    state.loco_energy[j].rail += work_rail;
-    state.loco_energy[j].rim += answers[j]->work_rim_J;
-    state.loco_energy[j].slip += answers[j]->work_slip_J;
-    state.account.traction_rail += work_rail;
-    state.account.traction_rim += answers[j]->work_rim_J;
-    state.account.slip_loss += answers[j]->work_slip_J;
-  }
+  for (std::size_t j = 0; j < answers.size(); ++j) bookLoco(j, *answers[j], forces, state);
+  const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
+  if (air_brake_.present()) air_brake_.step(driver_.lead(state.driver), t, step_ns_, state.air);
   ++state.step;
   return {};
+}
+
+void TrainDynamics::bookLoco(std::size_t j, const loco::LocoTraction& answer, const TrainForces& forces,
+                             TrainState& state) const {
+  const LocoUnit& unit = train_.locomotives[j];
+  const double S = H_ * 0.5 * (v_old_[unit.vehicle] + state.v_mps[unit.vehicle]);
+  const double work_rail = answer.traction_N * S;  // Eq. (4)
+  LocoEnergy& energy = state.loco_energy[j];
+  const bool brakes = forces.reference_N[j] < 0.0 || forces.shoe_N[unit.vehicle] > 0.0;
+  if (brakes && work_rail < 0.0) {
+    energy.brake_rail -= work_rail;
+    state.account.brake_rail -= work_rail;
+  } else {
+    energy.rail += work_rail;
+    state.account.traction_rail += work_rail;
+  }
+  if (answer.work_rim_J < 0.0 && forces.reference_N[j] <= 0.0) {
+    energy.recovered_rim -= answer.work_rim_J;
+    state.account.recovered_rim -= answer.work_rim_J;
+  } else {
+    energy.rim += answer.work_rim_J;
+    state.account.traction_rim += answer.work_rim_J;
+  }
+  energy.slip += answer.work_slip_J;
+  energy.shoes += answer.work_shoes_J;
+  state.account.slip_loss += answer.work_slip_J;
+  state.account.shoes += answer.work_shoes_J;
+  train_.supplies[unit.type].step(answer.work_rim_J, H_, state.supply[j]);
 }
 
 void TrainDynamics::bookVehicle(std::size_t i, double v_old, double v_new, const TrainForces& forces,
@@ -167,6 +235,7 @@ void TrainDynamics::bookVehicle(std::size_t i, double v_old, double v_new, const
   const double S = H_ * 0.5 * (v_old + v_new);  // work of a force: with the mean speed                            (T7)
   account.propulsion_resistance -= forces.propulsion_N[i] * S;
   account.curving_resistance -= forces.curving_N[i] * S;
+  account.air_brake -= forces.air_brake_N[i] * S;
   account.grade -= forces.grade_N[i] * S;
 }
 

@@ -105,6 +105,8 @@ class TrainBuilder {
     const bool known_traction = vehicle.problems().count() == problems_before;
     train_.traction.push_back(traction);
     const double full_power_W = known_traction ? traction.computeRimPowerLimit(traction.notches()) : 0.0;
+    const bool braked = vehicle.has("dynamic_brake");
+    train_.dynamic_brakes.push_back(braked ? DynamicBrake::read(vehicle.map("dynamic_brake")) : DynamicBrake());
     const bool supplied = vehicle.has("supply");
     train_.supplies.push_back(supplied ? PowerSupply::read(vehicle.map("supply"), full_power_W) : PowerSupply());
     const std::string name = group.text("notch_group");

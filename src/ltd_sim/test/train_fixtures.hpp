@@ -72,6 +72,7 @@ inline ltd::TrainModel makeTrain(const std::vector<rail::Vehicle>& vehicles, con
     train.coupler_distance_m.push_back(0.5 * (vehicles[i].length_m + vehicles[i + 1].length_m));
   }
   train.traction.push_back(paperTraction());
+  train.dynamic_brakes.emplace_back();
   train.supplies.emplace_back();
   for (const std::size_t place : locos) train.locomotives.push_back({place, 0, 0, 0.35, "1d", "train"});
   train.notch_groups = {"lead"};
@@ -118,7 +119,7 @@ class Rig {
         track(std::move(track_model)),
         driver(driver_model),
         H(step_s),
-        dynamics(train, track, driver, rail::wholeNanoseconds(step_s).value()),
+        dynamics(train, track, driver, air_brake, rail::wholeNanoseconds(step_s).value()),
         state(dynamics.initialState(location_m, speed_mps)),
         answers(train.locomotives.size()) {
     for (const loco::LocoTraction& answer : answers) pointers_.push_back(&answer);
@@ -144,6 +145,7 @@ class Rig {
   const ltd::TrainModel train;
   const rail::Track track;
   const ltd::Driver driver;
+  const ltd::AirBrake air_brake;
   const double H;
   ltd::TrainDynamics dynamics;
   ltd::TrainState state;

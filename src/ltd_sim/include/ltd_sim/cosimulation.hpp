@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "loco_dynamics/loco_port.hpp"
+#include "ltd_sim/driver_port.hpp"
 #include "ltd_sim/outcome.hpp"
 #include "ltd_sim/run_observer.hpp"
 #include "ltd_sim/scenario.hpp"
@@ -13,15 +14,17 @@
 namespace ltd {
 
 /// Drives the train and its locomotives, macro step by macro step:
-///   begin()      forces at t_k, sent to every locomotive
-///   tryCommit()  once all N have answered: speeds compared (the paper's synchronisation check), one step of LTD with
+///   begin()      forces at t_k, sent to every locomotive; a driver in another program is asked first
+///   tryCommit()  once he and all N have answered: speeds compared (the paper's synchronisation check), one step of LTD with
 ///                the very forces that were sent, energies, observers, end of the run
 /// An observer that throws (a full disk, say) fails the run with its reason; the others still see the end.
 /// Never waits: whoever calls decides how. Sums run in index order, so the result does not depend on who answers first.
 class Cosimulation {
  public:
   /// Keeps references to scenario and ports (one per locomotive, from the head); observers are called in order.
-  Cosimulation(const Scenario& scenario, std::vector<loco::LocoPort*> ports, std::vector<RunObserver*> observers);
+  /// @param driver  needed if the scenario's driver is in another program
+  Cosimulation(const Scenario& scenario, std::vector<loco::LocoPort*> ports, std::vector<RunObserver*> observers,
+               DriverPort* driver = nullptr);
 
   /// Tells the observers of the start. Call once, before begin().
   void start();
@@ -31,6 +34,8 @@ class Cosimulation {
   /// @return true if the step was committed (or the run failed in it)
   bool tryCommit();
   bool stepUnderWay() const { return under_way_; }
+  /// A step is under way and waits for the driver's word.
+  bool waitsForDriver() const { return asks_driver_; }
 
   /// Ends the run from outside (stopped or failed); a step under way is given up. Does nothing if it has ended.
   void end(Outcome::Kind kind, const std::string& reason);
@@ -45,6 +50,9 @@ class Cosimulation {
   double largestDrift() const { return largest_drift_mps_; }
 
  private:
+  void sendForces();
+  bool takeCommand();
+  void driverIsSilent();
   bool gatherAnswers();
   std::string modelFailure() const;
   double locationOfFault() const;
@@ -52,10 +60,14 @@ class Cosimulation {
   void checkEnd();
   void guarded(const std::function<void()>& call);
   bool stalled();
+  bool stands();
+  std::string runaway() const;
+  std::vector<std::string> collectNotes() const;
 
   const Scenario& scenario_;
   std::vector<loco::LocoPort*> ports_;
   std::vector<RunObserver*> observers_;
+  DriverPort* driver_port_;
   TrainDynamics dynamics_;
   TrainState state_, before_;
   TrainForces forces_;
@@ -63,6 +75,8 @@ class Cosimulation {
   std::vector<const loco::LocoTraction*> answers_;
   Outcome outcome_;
   bool under_way_ = false;
+  bool asks_driver_ = false;
+  std::string silence_;  ///< since when the driver has been silent, in words; empty: he has not
   double largest_drift_mps_ = 0.0;
 };
 

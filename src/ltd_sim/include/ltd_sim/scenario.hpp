@@ -1,8 +1,10 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "ltd_sim/air_brake.hpp"
 #include "ltd_sim/driver.hpp"
 #include "ltd_sim/train_model.hpp"
 #include "rail_core/document.hpp"
@@ -19,6 +21,8 @@ struct RunLimits {
   rail::Nanoseconds end_time = 0;
   double stall_speed_mps = 0.0;      ///< a stall: traction on and slower than this ...
   rail::Nanoseconds stall_time = 0;  ///< ... for this long
+  rail::Nanoseconds standstill_time = 0;  ///< ends when the train, having moved, has stood for so long; 0: does not
+  double runaway_margin_mps = std::numeric_limits<double>::infinity();  ///< fails that far above the line's limit
 };
 
 /// How the lock waits, in wall time.
@@ -45,6 +49,7 @@ struct Scenario {
   TrainModel train;
   rail::Track track;
   Driver driver;
+  AirBrake air_brake;
   RunLimits run;
   LockLimits lock;
   OutputOptions output;

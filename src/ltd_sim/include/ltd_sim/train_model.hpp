@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ltd_sim/coupler.hpp"
+#include "ltd_sim/dynamic_brake.hpp"
 #include "ltd_sim/power_supply.hpp"
 #include "ltd_sim/traction_characteristic.hpp"
 #include "rail_core/vehicle.hpp"
@@ -15,7 +16,7 @@ namespace ltd {
 struct LocoUnit {
   std::size_t vehicle = 0;      ///< index in TrainModel::vehicles, from 0
   std::size_t notch_group = 0;  ///< index in TrainModel::notch_groups
-  std::size_t type = 0;         ///< index in TrainModel::traction and ::supplies
+  std::size_t type = 0;         ///< index in TrainModel::traction, ::dynamic_brakes and ::supplies
   double adhesion_limit = 0.0;  ///< of its weight [-]; bounds the coupler forces that a step must bear
   std::string model;            ///< 1d, 2d, ...
   std::string key;              ///< dotted path of its map in the resolved scenario
@@ -30,6 +31,7 @@ struct TrainModel {
   std::vector<std::size_t> coupler_type;   ///< per coupler
   std::vector<double> coupler_distance_m;  ///< per coupler: distance of the two CoGs in mid-slack
   std::vector<TractionCharacteristic> traction;
+  std::vector<DynamicBrake> dynamic_brakes;  ///< as `traction`; one without notches where none is given
   std::vector<PowerSupply> supplies;  ///< as `traction`; one that does not exist() where none is given
   std::vector<LocoUnit> locomotives;  ///< from the head
   std::vector<std::string> notch_groups;
@@ -39,7 +41,8 @@ struct TrainModel {
   /// YAML `train`: name, coupler(_file), groups, each group either
   ///   {vehicle(_file), kind: locomotive, count, notch_group, coupler(_file) optional} or
   ///   {vehicle(_file), kind: wagon, count, coupler(_file) optional} or {repeat, groups}.
-  /// A group's coupler is the one behind each of its vehicles. A locomotive may have a `supply` (PowerSupply).
+  /// A group's coupler is the one behind each of its vehicles. A locomotive may have a `dynamic_brake`
+  /// (DynamicBrake) and a `supply` (PowerSupply).
   static TrainModel read(rail::YamlReader reader, const std::string& locomotive_model, bool rotary_inertia);
 };
 

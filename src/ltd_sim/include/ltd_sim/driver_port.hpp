@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "ltd_sim/driver_command.hpp"
+
+namespace ltd {
+
+/// The seam to a driver in another program: asked for a command at some steps, never waited for in here.
+class DriverPort {
+ public:
+  virtual ~DriverPort() = default;
+  /// Asks for the command that holds from step `step` on.
+  virtual void ask(std::uint64_t step, const DriverView& view) = 0;
+  /// The answer to the question asked last; nullptr as long as there is none.
+  virtual const DriverCommand* answer() = 0;
+  /// The answer cannot be obeyed and counts as none.
+  virtual void refuse(const std::string& why) = 0;
+  /// True if the answer's deadline has passed.
+  virtual bool silent() = 0;
+};
+
+}  // namespace ltd
