@@ -94,7 +94,6 @@ void PowerSupply::step(double rim_work_J, double step_s, State& state) const {
   state.drivetrain_loss_J += (to_motors_J - motored_J) + (recovered_J - from_motors_J);
   state.auxiliaries_J += auxiliaries_J;
   const double asked_J = to_motors_J + auxiliaries_J - from_motors_J;  // (F4)
-  state.empty = false;
   serveLink(std::max(asked_J, 0.0), step_s, state);
   spillLink(std::max(-asked_J, 0.0), step_s, state);
 }
