@@ -161,6 +161,10 @@ double PowerSupply::availableRimPower(const State& state, double step_s) const {
   return computeRimPower(storage_W + engine_W);  // (F13)
 }
 
+double PowerSupply::computeCharge(const State& state) const {
+  return hasStorage() ? storage_.computeCharge(state.stored_J) : 0.0;
+}
+
 double PowerSupply::computeLitres(const State& state) const {
   return hasEngine() ? state.fuel_J / engine_.fuelEnergyPerLitre() : 0.0;  // (F14)
 }

@@ -52,6 +52,7 @@ TEST(PowerSupplyTest, NoSupplyBooksNothingAndLimitsNothing) {
   for (const double energy_J : energiesOf(after(none, 4e5))) EXPECT_EQ(energy_J, 0.0);
   EXPECT_EQ(none.availableRimPower(none.initialState(), kStep), std::numeric_limits<double>::infinity());
   EXPECT_EQ(none.computeLitres(none.initialState()), 0.0);
+  EXPECT_EQ(none.computeCharge(none.initialState()), 0.0);
 }
 
 TEST(PowerSupplyTest, MotoringBooksEachStageFromTheRimToTheFuel) {
@@ -132,6 +133,7 @@ TEST(PowerSupplyTest, WhatTheStorageMayNotTakeGoesToTheResistors) {
   const State s = after(hybrid(), -2e6);  // link 1.6e6 - 2e4 - 2e5 = 1.38 MJ; 0.4 MW 2 s into the storage
   EXPECT_NEAR(s.storage_in_J, 8e5, kTiny);
   EXPECT_NEAR(s.stored_J, 5e6 + 7.2e5, kTiny);
+  EXPECT_NEAR(hybrid().computeCharge(s), 0.572, 1e-15);  // of 10 MJ
   EXPECT_NEAR(s.storage_loss_J, 8e4, kTiny);
   EXPECT_NEAR(s.to_resistors_J, 5.8e5, kTiny);
 }
