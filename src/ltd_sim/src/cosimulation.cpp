@@ -220,13 +220,11 @@ std::vector<std::string> Cosimulation::collectNotes() const {
   std::vector<std::string> notes = scenario_.driver.notes(state_.driver);
   if (!silence_.empty()) notes.push_back(silence_);
   for (std::size_t i = 0; i < state_.supply.size(); ++i) {
-    const PowerSupply::State& supply = state_.supply[i];
-    if (supply.empty_since_s >= 0.0) {
-      char text[96];
-      std::snprintf(text, sizeof text, "%s: its store was empty, first after %.1f s", nameOf(i).c_str(),
-                    supply.empty_since_s);
-      notes.emplace_back(text);
-    }
+    if (state_.store_empty_at[i] < 0) continue;
+    char text[96];
+    std::snprintf(text, sizeof text, "%s: its store was empty, first at %.3f s", nameOf(i).c_str(),
+                  rail::toSeconds(state_.store_empty_at[i]));
+    notes.emplace_back(text);
   }
   return notes;
 }

@@ -94,7 +94,6 @@ void PowerSupply::step(double rim_work_J, double step_s, State& state) const {
   state.drivetrain_loss_J += (to_motors_J - motored_J) + (recovered_J - from_motors_J);
   state.auxiliaries_J += auxiliaries_J;
   const double asked_J = to_motors_J + auxiliaries_J - from_motors_J;  // (F4)
-  state.empty = false;
   serveLink(std::max(asked_J, 0.0), step_s, state);
   spillLink(std::max(-asked_J, 0.0), step_s, state);
 }
@@ -160,6 +159,10 @@ double PowerSupply::availableRimPower(const State& state, double step_s) const {
   const double storage_W = storage_.computeLargestOut(state.stored_J, step_s) / step_s;
   const double engine_W = hasEngine() ? engine_.ratedPower() * generator_efficiency_ : 0.0;
   return computeRimPower(storage_W + engine_W);  // (F13)
+}
+
+double PowerSupply::computeCharge(const State& state) const {
+  return hasStorage() ? storage_.computeCharge(state.stored_J) : 0.0;
 }
 
 double PowerSupply::computeLitres(const State& state) const {

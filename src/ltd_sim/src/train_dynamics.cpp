@@ -38,6 +38,7 @@ TrainState TrainDynamics::initialState(double location_m, double speed_mps) cons
   state.loco_energy.assign(locos, {});
   state.loco_state.assign(locos, {});
   for (const LocoUnit& unit : train_.locomotives) state.supply.push_back(train_.supplies[unit.type].initialState());
+  state.store_empty_at.assign(locos, -1);
   state.air = air_brake_.initialState();
   return state;
 }
@@ -228,6 +229,8 @@ void TrainDynamics::bookLoco(std::size_t j, const loco::LocoTraction& answer, co
   state.account.slip_loss += answer.work_slip_J;
   state.account.shoes += answer.work_shoes_J;
   train_.supplies[unit.type].step(answer.work_rim_J, H_, state.supply[j]);
+  if (state.supply[j].empty && state.store_empty_at[j] < 0)
+    state.store_empty_at[j] = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
 }
 
 void TrainDynamics::bookVehicle(std::size_t i, double v_old, double v_new, const TrainForces& forces,

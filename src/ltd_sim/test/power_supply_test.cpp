@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "ltd_sim/energy_figures.hpp"
 #include "supply_texts.hpp"
 #include "train_fixtures.hpp"
 
@@ -52,6 +51,7 @@ TEST(PowerSupplyTest, NoSupplyBooksNothingAndLimitsNothing) {
   for (const double energy_J : energiesOf(after(none, 4e5))) EXPECT_EQ(energy_J, 0.0);
   EXPECT_EQ(none.availableRimPower(none.initialState(), kStep), std::numeric_limits<double>::infinity());
   EXPECT_EQ(none.computeLitres(none.initialState()), 0.0);
+  EXPECT_EQ(none.computeCharge(none.initialState()), 0.0);
 }
 
 TEST(PowerSupplyTest, MotoringBooksEachStageFromTheRimToTheFuel) {
@@ -132,6 +132,7 @@ TEST(PowerSupplyTest, WhatTheStorageMayNotTakeGoesToTheResistors) {
   const State s = after(hybrid(), -2e6);  // link 1.6e6 - 2e4 - 2e5 = 1.38 MJ; 0.4 MW 2 s into the storage
   EXPECT_NEAR(s.storage_in_J, 8e5, kTiny);
   EXPECT_NEAR(s.stored_J, 5e6 + 7.2e5, kTiny);
+  EXPECT_NEAR(hybrid().computeCharge(s), 0.572, 1e-15);  // of 10 MJ
   EXPECT_NEAR(s.storage_loss_J, 8e4, kTiny);
   EXPECT_NEAR(s.to_resistors_J, 5.8e5, kTiny);
 }
@@ -239,12 +240,6 @@ TEST(PowerSupplyTest, ACopiedStateGoesOnWithTheSameBits) {
     EXPECT_EQ(energiesOf(one), energiesOf(other));
     EXPECT_EQ(one.empty, other.empty);
   }
-}
-
-TEST(EnergyFiguresTest, ArePer1000GrossTonnesAndKilometre) {
-  EXPECT_DOUBLE_EQ(ltd::computeKilowattHoursPer1000TonneKm(3.6e9, 2000.0, 50.0), 10.0);  // 1000 kWh, 100000 t km
-  EXPECT_DOUBLE_EQ(ltd::computeLitresPer1000TonneKm(300.0, 2000.0, 50.0), 3.0);
-  EXPECT_TRUE(std::isnan(ltd::computeLitresPer1000TonneKm(0.0, 2000.0, 0.0)));
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ class EnergyStorage {
   double lowestEnergy() const { return lowest_share_ * capacity_J_; }    ///< [J]
   double highestEnergy() const { return highest_share_ * capacity_J_; }  ///< [J]
 
+  double computeCharge(double stored_J) const { return stored_J / capacity_J_; }  ///< share of the capacity [-]
+
   /// The most that a step can give to the link, and take from it [J], >= 0.
   double computeLargestOut(double stored_J, double step_s) const;
   double computeLargestIn(double stored_J, double step_s) const;

@@ -70,6 +70,9 @@ class PowerSupply {
   /// checked when it was read) and line.                                                               (F13)
   double availableRimPower(const State& state, double step_s) const;
 
+  /// State of charge, share of the storage's capacity [-]; 0 without a storage.
+  double computeCharge(const State& state) const;
+
   /// Litres of fuel burnt so far; 0 without an engine.                                                 (F14)
   double computeLitres(const State& state) const;
 

@@ -35,6 +35,7 @@ struct TrainState {
   Driver::State driver;
   AirBrake::State air;
   std::vector<PowerSupply::State> supply;  ///< per locomotive
+  std::vector<rail::Nanoseconds> store_empty_at;  ///< per locomotive: first time that its store gave out; -1: never
   bool moved = false;                      ///< the train has been on its way
   rail::Nanoseconds standing_since = -1;   ///< at rest since then, having moved; -1: not
   rail::Nanoseconds slow_since = -1;  ///< traction on and below the stall speed since then; -1: not
