@@ -6,6 +6,15 @@
 
 namespace ltd {
 
+namespace {
+
+/// What rim and shoes explain no better: spin of the wheelsets, motion of the bodies, dampers.
+double insideLocomotives(const rail::EnergyAccount& a) {
+  return a.traction_rim - a.recovered_rim - (a.traction_rail - a.brake_rail) - a.slip_loss - a.shoes;
+}
+
+}  // namespace
+
 SummaryWriter::SummaryWriter(const Scenario& scenario, const std::string& path)
     : scenario_(scenario),
       file_(path, {"model", "vehicle", "quantity", "unit", "location_km", "value"}),
@@ -55,6 +64,27 @@ void SummaryWriter::reportLocos(double location_m, double w, const TrainState& b
     row("energy_rail", "J", between(before.loco_energy[i].rail, after.loco_energy[i].rail));
     row("energy_rim", "J", between(before.loco_energy[i].rim, after.loco_energy[i].rim));
     row("energy_slip", "J", between(before.loco_energy[i].slip, after.loco_energy[i].slip));
+    row("energy_brake_rail", "J", between(before.loco_energy[i].brake_rail, after.loco_energy[i].brake_rail));
+    row("energy_recovered_rim", "J", between(before.loco_energy[i].recovered_rim, after.loco_energy[i].recovered_rim));
+    row("energy_shoes", "J", between(before.loco_energy[i].shoes, after.loco_energy[i].shoes));
+    const PowerSupply& supply = scenario_.train.supplies[scenario_.train.locomotives[i].type];
+    if (!supply.exists()) continue;
+    const PowerSupply::State &b = before.supply[i], &a = after.supply[i];
+    if (supply.hasEngine()) {
+      row("energy_fuel", "J", between(b.fuel_J, a.fuel_J));
+      row("fuel", "l", between(supply.computeLitres(b), supply.computeLitres(a)));
+    }
+    if (supply.hasLine()) {
+      row("energy_line_drawn", "J", between(b.line_drawn_J, a.line_drawn_J));
+      row("energy_line_returned", "J", between(b.line_returned_J, a.line_returned_J));
+    }
+    if (supply.hasStorage()) {
+      row("energy_storage_in", "J", between(b.storage_in_J, a.storage_in_J));
+      row("energy_storage_out", "J", between(b.storage_out_J, a.storage_out_J));
+      row("energy_stored", "J", between(b.stored_J, a.stored_J));
+    }
+    row("energy_auxiliaries", "J", between(b.auxiliaries_J, a.auxiliaries_J));
+    row("energy_to_resistors", "J", between(b.to_resistors_J, a.to_resistors_J));
   }
 }
 
@@ -73,7 +103,11 @@ void SummaryWriter::onEnd(const TrainState& state, const Outcome&) {
   runRow("account_traction_rail", "J", a.traction_rail);
   runRow("account_traction_rim", "J", a.traction_rim);
   runRow("account_slip_loss", "J", a.slip_loss);
-  runRow("account_inside_locomotives", "J", a.traction_rim - a.traction_rail - a.slip_loss);
+  runRow("account_inside_locomotives", "J", insideLocomotives(a));
+  runRow("account_brake_rail", "J", a.brake_rail);
+  runRow("account_recovered_rim", "J", a.recovered_rim);
+  runRow("account_shoes", "J", a.shoes);
+  runRow("account_air_brake", "J", a.air_brake);
   runRow("account_propulsion_resistance", "J", a.propulsion_resistance);
   runRow("account_curving_resistance", "J", a.curving_resistance);
   runRow("account_grade", "J", a.grade);

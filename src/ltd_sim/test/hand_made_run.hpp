@@ -19,6 +19,9 @@ class HandMadeRun {
     state.loco_energy.resize(2);
     forces.coupler.resize(3);
     forces.notch = {5, 3};
+    forces.brake_notch = {0, 0};
+    state.supply.resize(2);
+    state.store_empty_at = {-1, -1};
   }
 
   void start(ltd::RunObserver& observer) const { observer.onStart(state); }

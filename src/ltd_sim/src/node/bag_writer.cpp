@@ -38,6 +38,7 @@ void BagWriter::onStart(const TrainState& state) {
   bag_->write("/train/configuration", toStamp(0), toMsg(scenario_, run_id_));
   TrainForces none;  // no force has been computed yet
   none.notch.assign(scenario_.train.locomotives.size(), 0);
+  none.brake_notch.assign(scenario_.train.locomotives.size(), 0);
   none.coupler.resize(scenario_.train.coupler_type.size());
   writeTelemetry(state, none);
 }

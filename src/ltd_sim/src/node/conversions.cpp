@@ -21,27 +21,60 @@ void toMsg(const Scenario& scenario, const TrainState& state, const TrainForces&
   msg.location = state.s_m[lead];
   msg.speed = state.v_mps[lead];
   msg.notch.assign(forces.notch.begin(), forces.notch.end());
+  msg.brake_notch.assign(forces.brake_notch.begin(), forces.brake_notch.end());
   msg.traction = state.traction_N;
   msg.vehicle_location = state.s_m;
   msg.vehicle_speed = state.v_mps;
   msg.coupler_force.resize(forces.coupler.size());
   for (std::size_t i = 0; i < forces.coupler.size(); ++i) msg.coupler_force[i] = forces.coupler[i].force_N;
+  msg.speed_limit = forces.view.speed_limit_mps;
+  msg.sanding = static_cast<std::uint8_t>(scenario.driver.lead(state.driver).sanding);
+  if (!scenario.air_brake.present()) return;
+  const std::size_t n = scenario.train.vehicles.size();
+  msg.pipe_pressure.resize(n);
+  msg.cylinder_pressure.resize(n);
+  msg.shoe_force = forces.shoe_N;
+  msg.shoe_force.resize(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    msg.pipe_pressure[i] = scenario.air_brake.pipePressure(i, state.air);
+    msg.cylinder_pressure[i] = scenario.air_brake.cylinderPressure(i, state.air);
+  }
 }
 
 void toMsg(const Scenario& scenario, const TrainState& state, train_msgs::TrainEnergy& msg) {
   const rail::EnergyAccount& a = state.account;
   msg.header.stamp = toStamp(timeOf(scenario, state));
-  msg.loco_energy_rail.clear();
-  msg.loco_energy_rim.clear();
-  msg.loco_energy_slip.clear();
-  for (const LocoEnergy& energy : state.loco_energy) {
-    msg.loco_energy_rail.push_back(energy.rail);
-    msg.loco_energy_rim.push_back(energy.rim);
-    msg.loco_energy_slip.push_back(energy.slip);
+  const std::size_t locos = state.loco_energy.size();
+  for (auto* list : {&msg.loco_energy_rail, &msg.loco_energy_rim, &msg.loco_energy_slip, &msg.loco_brake_rail,
+                     &msg.loco_recovered_rim, &msg.loco_shoes, &msg.loco_fuel, &msg.loco_litres, &msg.loco_line,
+                     &msg.loco_auxiliaries, &msg.loco_storage_in, &msg.loco_storage_out, &msg.loco_stored,
+                     &msg.loco_to_resistors})
+    list->resize(locos);
+  for (std::size_t i = 0; i < locos; ++i) {
+    const LocoEnergy& energy = state.loco_energy[i];
+    msg.loco_energy_rail[i] = energy.rail;
+    msg.loco_energy_rim[i] = energy.rim;
+    msg.loco_energy_slip[i] = energy.slip;
+    msg.loco_brake_rail[i] = energy.brake_rail;
+    msg.loco_recovered_rim[i] = energy.recovered_rim;
+    msg.loco_shoes[i] = energy.shoes;
+    const PowerSupply::State& supply = state.supply[i];
+    msg.loco_fuel[i] = supply.fuel_J;
+    msg.loco_litres[i] = scenario.train.supplies[scenario.train.locomotives[i].type].computeLitres(supply);
+    msg.loco_line[i] = supply.line_drawn_J - supply.line_returned_J;
+    msg.loco_auxiliaries[i] = supply.auxiliaries_J;
+    msg.loco_storage_in[i] = supply.storage_in_J;
+    msg.loco_storage_out[i] = supply.storage_out_J;
+    msg.loco_stored[i] = supply.stored_J;
+    msg.loco_to_resistors[i] = supply.to_resistors_J;
   }
   msg.traction_rail = a.traction_rail;
   msg.traction_rim = a.traction_rim;
   msg.slip_loss = a.slip_loss;
+  msg.brake_rail = a.brake_rail;
+  msg.recovered_rim = a.recovered_rim;
+  msg.shoes = a.shoes;
+  msg.air_brake = a.air_brake;
   msg.propulsion_resistance = a.propulsion_resistance;
   msg.curving_resistance = a.curving_resistance;
   msg.grade = a.grade;
