@@ -6,6 +6,7 @@
 
 #include "ltd_sim/coupler.hpp"
 #include "ltd_sim/traction_characteristic.hpp"
+#include "ltd_sim/vehicle_brake.hpp"
 #include "rail_core/vehicle.hpp"
 
 namespace ltd {
@@ -25,6 +26,7 @@ struct TrainModel {
   std::string name;
   std::vector<rail::Vehicle> vehicles;
   std::vector<double> inertial_mass_kg;  ///< per vehicle, rotary inertia included if the scenario counts it
+  std::vector<VehicleBrake> brakes;      ///< per vehicle; used only by a scenario with an air_brake
   std::vector<Coupler> coupler_types;
   std::vector<std::size_t> coupler_type;   ///< per coupler
   std::vector<double> coupler_distance_m;  ///< per coupler: distance of the two CoGs in mid-slack
@@ -37,7 +39,7 @@ struct TrainModel {
   /// YAML `train`: name, coupler(_file), groups, each group either
   ///   {vehicle(_file), kind: locomotive, count, notch_group, coupler(_file) optional} or
   ///   {vehicle(_file), kind: wagon, count, coupler(_file) optional} or {repeat, groups}.
-  /// A group's coupler is the one behind each of its vehicles.
+  /// A group's coupler is the one behind each of its vehicles. A vehicle may have a map brake(_file).
   static TrainModel read(rail::YamlReader reader, const std::string& locomotive_model, bool rotary_inertia);
 };
 
