@@ -209,9 +209,9 @@ std::string Cosimulation::runaway() const {
   const double limit_mps = forces_.view.speed_limit_mps;
   if (leadingSpeed() <= limit_mps + scenario_.run.runaway_margin_mps) return {};
   char text[160];
-  std::snprintf(text, sizeof text, "runaway at %s: %.1f km/h where %.1f are allowed, beyond run.runaway_above_limit_kmph",
-                kilometres(leadingLocation()).c_str(), leadingSpeed() * rail::kKmphPerMps,
-                limit_mps * rail::kKmphPerMps);
+  std::snprintf(
+      text, sizeof text, "runaway at %s: %.1f km/h where %.1f are allowed, beyond run.runaway_above_limit_kmph",
+      kilometres(leadingLocation()).c_str(), leadingSpeed() * rail::kKmphPerMps, limit_mps * rail::kKmphPerMps);
   return text;
 }
 

@@ -10,8 +10,8 @@ namespace ltd {
 namespace {
 
 /// Stages of the energy whose sums over the train are told, in the order of the columns.
-constexpr std::array<const char*, 8> kStages = {"energy_rail",   "energy_rim",          "brake_rail", "recovered_rim",
-                                                "air_brake",     "storage_net_out",     "line_net",   "to_resistors"};
+constexpr std::array<const char*, 8> kStages = {"energy_rail", "energy_rim",      "brake_rail", "recovered_rim",
+                                                "air_brake",   "storage_net_out", "line_net",   "to_resistors"};
 
 std::vector<std::string> columns() {
   std::vector<std::string> names = {"from_km", "to_km", "time_s", "final_speed_mps"};

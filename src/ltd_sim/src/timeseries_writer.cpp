@@ -6,10 +6,11 @@ namespace ltd {
 
 TimeseriesWriter::TimeseriesWriter(const Scenario& scenario, const std::string& path)
     : scenario_(scenario),
-      file_(path, {"location_km", "time_s", "speed_mps", "notch", "traction_force_N", "traction_force_train_N",
-                   "power_rail_train_W", "energy_rail_train_J", "energy_rim_train_J", "largest_draft_N",
-                   "largest_draft_coupler", "largest_buff_N", "largest_buff_coupler", "speed_limit_mps", "brake_notch",
-                   "pipe_pressure_bar", "air_brake_force_N", "energy_brake_rail_train_J", "energy_recovered_rim_train_J"}) {}
+      file_(path,
+            {"location_km", "time_s", "speed_mps", "notch", "traction_force_N", "traction_force_train_N",
+             "power_rail_train_W", "energy_rail_train_J", "energy_rim_train_J", "largest_draft_N",
+             "largest_draft_coupler", "largest_buff_N", "largest_buff_coupler", "speed_limit_mps", "brake_notch",
+             "pipe_pressure_bar", "air_brake_force_N", "energy_brake_rail_train_J", "energy_recovered_rim_train_J"}) {}
 
 void TimeseriesWriter::onStart(const TrainState& state) {
   const std::size_t lead = scenario_.train.locomotives.front().vehicle;

@@ -188,8 +188,8 @@ std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
   for (std::size_t i = 0; i < n; ++i) {
     const double F_c1 = i > 0 ? forces.coupler[i - 1].force_N : 0.0;
     const double F_c2 = i + 1 < n ? -forces.coupler[i].force_N : 0.0;
-    const double F = F_c1 + F_c2 + traction_[i] + forces.air_brake_N[i] + forces.propulsion_N[i] +
-                     forces.curving_N[i] + forces.grade_N[i];          // Eq. (1)
+    const double F = F_c1 + F_c2 + traction_[i] + forces.air_brake_N[i] + forces.propulsion_N[i] + forces.curving_N[i] +
+                     forces.grade_N[i];                                // Eq. (1)
     state.v_mps[i] = v_old_[i] + H_ * F / train_.inertial_mass_kg[i];  // (T5)
     state.s_m[i] += H_ * state.v_mps[i];
     bookVehicle(i, v_old_[i], state.v_mps[i], forces, state.account);

@@ -56,6 +56,8 @@ class TrainBuilder {
       loco::readLocoDetails(reader, unit.model, vehicle);
       if (loco::makesCurvingResistance(unit.model)) vehicle.resistance.curving_N_m_per_t = 0.0;
     }
+    VehicleBrake brake;
+    if (reader.has("brake")) brake = VehicleBrake::read(reader.map("brake"), vehicle);
     // A locomotive whose wheelsets spin in its own model has their inertia there.
     const bool rotary_inertia = rotary_inertia_ && !(locomotive && loco::hasContacts(unit.model));
     reader.finish();
@@ -67,6 +69,7 @@ class TrainBuilder {
         train_.locomotives.push_back(unit);
       }
       train_.vehicles.push_back(vehicle);
+      train_.brakes.push_back(brake);
       train_.inertial_mass_kg.push_back(vehicle.inertialMass(rotary_inertia));
       coupler_behind_.push_back(coupler);
     }
@@ -88,6 +91,7 @@ class TrainBuilder {
       }
       for (std::size_t i = 0; i < length; ++i) {
         train_.vehicles.push_back(train_.vehicles[first + i]);
+        train_.brakes.push_back(train_.brakes[first + i]);
         train_.inertial_mass_kg.push_back(train_.inertial_mass_kg[first + i]);
         coupler_behind_.push_back(coupler_behind_[first + i]);
       }

@@ -9,9 +9,9 @@ namespace ltd {
 
 /// timeseries.csv: one row per timeseries interval, from the start on: place, time, speed and notch of the leading
 /// locomotive, its traction, traction, power and energy of all locomotives, and the largest draft and buff force in the
-/// train since the row before, with the coupler it was in (from 1; empty if there was none); the lowest speed limit under
-/// the train, brake notch, pressure in the pipe at the leading locomotive, force of the wagons' shoes, and what the
-/// locomotives' brakes took at the rail and their motors got of it.
+/// train since the row before, with the coupler it was in (from 1; empty if there was none); the lowest speed limit
+/// under the train, brake notch, pressure in the pipe at the leading locomotive, force of the wagons' shoes, and what
+/// the locomotives' brakes took at the rail and their motors got of it.
 class TimeseriesWriter : public RunObserver {
  public:
   TimeseriesWriter(const Scenario& scenario, const std::string& path);

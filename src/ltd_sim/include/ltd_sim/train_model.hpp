@@ -8,6 +8,7 @@
 #include "ltd_sim/dynamic_brake.hpp"
 #include "ltd_sim/power_supply.hpp"
 #include "ltd_sim/traction_characteristic.hpp"
+#include "ltd_sim/vehicle_brake.hpp"
 #include "rail_core/vehicle.hpp"
 
 namespace ltd {
@@ -27,13 +28,14 @@ struct TrainModel {
   std::string name;
   std::vector<rail::Vehicle> vehicles;
   std::vector<double> inertial_mass_kg;  ///< per vehicle, rotary inertia included if the scenario counts it
+  std::vector<VehicleBrake> brakes;      ///< per vehicle; used only by a scenario with an air_brake
   std::vector<Coupler> coupler_types;
   std::vector<std::size_t> coupler_type;   ///< per coupler
   std::vector<double> coupler_distance_m;  ///< per coupler: distance of the two CoGs in mid-slack
   std::vector<TractionCharacteristic> traction;
   std::vector<DynamicBrake> dynamic_brakes;  ///< as `traction`; one without notches where none is given
-  std::vector<PowerSupply> supplies;  ///< as `traction`; one that does not exist() where none is given
-  std::vector<LocoUnit> locomotives;  ///< from the head
+  std::vector<PowerSupply> supplies;         ///< as `traction`; one that does not exist() where none is given
+  std::vector<LocoUnit> locomotives;         ///< from the head
   std::vector<std::string> notch_groups;
 
   double grossMass_t() const;
@@ -41,8 +43,8 @@ struct TrainModel {
   /// YAML `train`: name, coupler(_file), groups, each group either
   ///   {vehicle(_file), kind: locomotive, count, notch_group, coupler(_file) optional} or
   ///   {vehicle(_file), kind: wagon, count, coupler(_file) optional} or {repeat, groups}.
-  /// A group's coupler is the one behind each of its vehicles. A locomotive may have a `dynamic_brake`
-  /// (DynamicBrake) and a `supply` (PowerSupply).
+  /// A group's coupler is the one behind each of its vehicles. A vehicle may have a `brake` (VehicleBrake), a
+  /// locomotive a `dynamic_brake` (DynamicBrake) and a `supply` (PowerSupply).
   static TrainModel read(rail::YamlReader reader, const std::string& locomotive_model, bool rotary_inertia);
 };
 

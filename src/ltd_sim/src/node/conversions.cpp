@@ -45,10 +45,10 @@ void toMsg(const Scenario& scenario, const TrainState& state, train_msgs::TrainE
   const rail::EnergyAccount& a = state.account;
   msg.header.stamp = toStamp(timeOf(scenario, state));
   const std::size_t locos = state.loco_energy.size();
-  for (auto* list : {&msg.loco_energy_rail, &msg.loco_energy_rim, &msg.loco_energy_slip, &msg.loco_brake_rail,
-                     &msg.loco_recovered_rim, &msg.loco_shoes, &msg.loco_fuel, &msg.loco_litres, &msg.loco_line,
-                     &msg.loco_auxiliaries, &msg.loco_storage_in, &msg.loco_storage_out, &msg.loco_stored,
-                     &msg.loco_to_resistors})
+  for (auto* list :
+       {&msg.loco_energy_rail, &msg.loco_energy_rim, &msg.loco_energy_slip, &msg.loco_brake_rail,
+        &msg.loco_recovered_rim, &msg.loco_shoes, &msg.loco_fuel, &msg.loco_litres, &msg.loco_line,
+        &msg.loco_auxiliaries, &msg.loco_storage_in, &msg.loco_storage_out, &msg.loco_stored, &msg.loco_to_resistors})
     list->resize(locos);
   for (std::size_t i = 0; i < locos; ++i) {
     const LocoEnergy& energy = state.loco_energy[i];

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "rail_core/yaml_reader.hpp"
+
+namespace ltd {
+
+/// A vehicle's valve between brake pipe and cylinder: what share of the full cylinder pressure the pipe asks for.
+///   graduated  share = (p_charged - p)/(p_charged - p_full_service), 0..1; asked from `first reduction` on, given up
+///              at `full release reduction`                                                             (B3)
+///   direct     share = (p_r - p_low)/(p_charged - p_full_service), 0..1; p_low is the lowest pressure since the
+///              application, p_r the reservoir's before it. A rise over p_low releases the brake altogether, and the
+///              reservoir, which then stands at p_low, is recharged from the pipe at a limited rate     (B4)
+/// So with direct release a brake applied again too soon has less force. Not modelled: exhaustion with graduated
+/// release.
+class Distributor {
+ public:
+  struct Parameters {
+    bool direct_release = false;
+    double full_reduction_Pa = 0.0;            ///< of full service
+    double first_reduction_Pa = 0.0;           ///< a smaller one applies no brake
+    double full_release_reduction_Pa = 0.0;    ///< graduated: the brake is released at a smaller one
+    double release_rise_Pa = 0.0;              ///< direct: a larger rise releases
+    double reservoir_charging_Pa_per_s = 0.0;  ///< direct
+  };
+  struct State {
+    bool applied = false;
+    double reservoir_Pa = 0.0;
+    double lowest_Pa = 0.0;
+  };
+  Distributor() = default;
+  explicit Distributor(const Parameters& parameters) : p_(parameters) {}
+
+  /// YAML `valve`: release (graduated, direct), first_reduction_bar, and full_release_reduction_bar or
+  /// release_rise_bar, reservoir_charging_bar_per_s.
+  static Distributor read(rail::YamlReader reader, double full_reduction_Pa, bool electronic);
+
+  /// At rest with the pipe at this pressure, reached from the charged one.
+  State initialState(double pipe_Pa) const;
+
+  /// @param emergency  the emergency's wave has passed: applies without waiting for the first reduction
+  /// @return share of the full cylinder pressure, 0..1
+  double step(double pipe_Pa, bool emergency, double step_s, State& state) const;
+
+ private:
+  double stepGraduated(double pipe_Pa, bool emergency, State& state) const;
+  double stepDirect(double pipe_Pa, bool emergency, double step_s, State& state) const;
+
+  Parameters p_;
+};
+
+}  // namespace ltd
