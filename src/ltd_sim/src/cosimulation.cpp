@@ -215,18 +215,17 @@ std::string Cosimulation::runaway() const {
   return text;
 }
 
-/// What a reader of the results should know, though the run went on.
-std::vector<std::string> Cosimulation::collectNotes() const {
-  std::vector<std::string> notes = scenario_.driver.notes(state_.driver);
-  if (!silence_.empty()) notes.push_back(silence_);
+std::vector<std::string> Cosimulation::notes() const {
+  std::vector<std::string> told = scenario_.driver.notes(state_.driver);
+  if (!silence_.empty()) told.push_back(silence_);
   for (std::size_t i = 0; i < state_.supply.size(); ++i) {
     if (state_.store_empty_at[i] < 0) continue;
     char text[96];
     std::snprintf(text, sizeof text, "%s: its store was empty, first at %.3f s", nameOf(i).c_str(),
                   rail::toSeconds(state_.store_empty_at[i]));
-    notes.emplace_back(text);
+    told.emplace_back(text);
   }
-  return notes;
+  return told;
 }
 
 void Cosimulation::end(Outcome::Kind kind, const std::string& reason) {
@@ -234,7 +233,7 @@ void Cosimulation::end(Outcome::Kind kind, const std::string& reason) {
   under_way_ = false;
   outcome_.kind = kind;
   outcome_.reason = reason;
-  outcome_.notes = collectNotes();
+  outcome_.notes = notes();
   dynamics_.updateStoredEnergies(state_);
   for (RunObserver* observer : observers_) {
     try {

@@ -46,13 +46,14 @@ class Cosimulation {
   double leadingLocation() const { return dynamics_.leadingLocation(state_); }
   double leadingSpeed() const { return dynamics_.leadingSpeed(state_); }
   const TrainForces& forces() const { return forces_; }
+  /// What a reader of the results should know, though the run goes on: late arrivals, empty stores, a silent driver.
+  std::vector<std::string> notes() const;
   /// Largest difference of a locomotive's speed from LTD's so far [m/s].
   double largestDrift() const { return largest_drift_mps_; }
 
  private:
   void sendForces();
   bool takeCommand();
-  void driverIsSilent();
   bool gatherAnswers();
   std::string modelFailure() const;
   double locationOfFault() const;
@@ -62,7 +63,6 @@ class Cosimulation {
   bool stalled();
   bool stands();
   std::string runaway() const;
-  std::vector<std::string> collectNotes() const;
 
   const Scenario& scenario_;
   std::vector<loco::LocoPort*> ports_;

@@ -97,4 +97,30 @@ train_msgs::RunConfiguration toMsg(const Scenario& scenario, std::uint64_t run_i
   return msg;
 }
 
+void toMsg(std::uint64_t run_id, std::uint64_t step, const DriverView& view, train_msgs::DriverView& msg) {
+  msg.header.stamp = toStamp(view.t);
+  msg.run_id = run_id;
+  msg.step = step;
+  msg.time = rail::toSeconds(view.t);
+  msg.location = view.location_m;
+  msg.speed = view.speed_mps;
+  msg.grade_force = view.grade_N;
+  msg.resistance = view.resistance_N;
+  msg.traction = view.traction_N;
+  msg.air_brake = view.air_brake_N;
+  msg.speed_limit = view.speed_limit_mps;
+  msg.pipe_pressure = view.pipe_pressure_Pa;
+}
+
+DriverCommand fromMsg(const train_msgs::DriverCommand& msg) {
+  DriverCommand command;
+  command.notch = msg.notch;
+  command.brake_notch = msg.brake_notch;
+  command.pipe_pressure_Pa = msg.pipe_pressure;
+  command.independent_brake = msg.independent_brake;
+  command.emergency = msg.emergency != 0;
+  command.sanding = msg.sanding != 0;
+  return command;
+}
+
 }  // namespace ltd

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <train_msgs/DriverCommand.h>
+#include <train_msgs/DriverView.h>
 #include <train_msgs/RunConfiguration.h>
 #include <train_msgs/TrainEnergy.h>
 #include <train_msgs/TrainState.h>
@@ -22,5 +24,10 @@ inline constexpr std::uint32_t kBagFormatVersion = 3;
 void toMsg(const Scenario& scenario, const TrainState& state, const TrainForces& forces, train_msgs::TrainState& msg);
 void toMsg(const Scenario& scenario, const TrainState& state, train_msgs::TrainEnergy& msg);
 train_msgs::RunConfiguration toMsg(const Scenario& scenario, std::uint64_t run_id);
+
+/// What a driver in another program is asked.
+void toMsg(std::uint64_t run_id, std::uint64_t step, const DriverView& view, train_msgs::DriverView& msg);
+/// What he answers.
+DriverCommand fromMsg(const train_msgs::DriverCommand& msg);
 
 }  // namespace ltd

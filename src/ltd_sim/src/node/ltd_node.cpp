@@ -48,7 +48,10 @@ LtdNode::LtdNode(const Scenario& scenario, const Options& options)
   observers.push_back(&outputs_);  // outcome.yaml comes last: when it is there, everything is
   std::vector<loco::LocoPort*> ports;
   for (std::size_t i = 0; i < lock_.size(); ++i) ports.push_back(&lock_.port(i));
-  cosimulation_ = std::make_unique<Cosimulation>(scenario, ports, observers);
+  if (const auto& external = scenario.driver.external())
+    driver_ = std::make_unique<DriverLink>(id_.run_id, external->answer_deadline_s,
+                                           std::max(external->answer_deadline_s, scenario.lock.join_deadline_s));
+  cosimulation_ = std::make_unique<Cosimulation>(scenario, ports, observers, driver_.get());
   for (std::size_t i = 0; i < lock_.size(); ++i) {
     const std::size_t vehicle = scenario.train.locomotives[i].vehicle;
     lock_.setStart(i, cosimulation_->state().s_m[vehicle], cosimulation_->state().v_mps[vehicle]);
@@ -107,6 +110,19 @@ void LtdNode::onTraction(const train_msgs::LocoTraction& msg) {
   if (advance()) news_.notify_one();
 }
 
+void LtdNode::onDriver(const train_msgs::DriverCommand& msg) {
+  const std::lock_guard<std::mutex> guard(mutex_);
+  const std::string why = driver_->take(msg);
+  if (!why.empty()) sayOnce("a message on /train/driver does not count: " + why);
+  if (advance()) news_.notify_one();
+}
+
+/// Who keeps the run waiting, in words; empty: nobody.
+std::string LtdNode::waitsFor() const {
+  if (cosimulation_->waitsForDriver()) return driver_->waitsFor(kPatience_s);
+  return lock_.waitsFor(wallNow(), kPatience_s);
+}
+
 RunControl::Situation LtdNode::situation() const {
   return {cosimulation_->state().step, cosimulation_->time(), cosimulation_->leadingLocation(), scenario_.run.end_time,
           scenario_.run.end_location_m};
@@ -120,6 +136,7 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
     cosimulation_->start();
   }
   links_.open([this](const train_msgs::LocoTraction& msg) { onTraction(msg); });
+  if (driver_) driver_->open([this](const train_msgs::DriverCommand& msg) { onDriver(msg); });
   {
     std::unique_lock<std::mutex> guard(mutex_);
     while (!cosimulation_->outcome().ended()) {
@@ -133,6 +150,7 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
     publishStatus();
   }
   links_.close();
+  if (driver_) driver_->close();
   services.stop();
   const Outcome& outcome = cosimulation_->outcome();
   if (outcome.exitStatus() == 0) {
@@ -153,7 +171,7 @@ void LtdNode::publishStatus() {
              cosimulation_->leadingLocation() / rail::kMetresPerKilometre, rail::toSeconds(cosimulation_->time()),
              static_cast<unsigned long>(cosimulation_->state().step));
   last_phase_ = now;
-  status_.publish(last_phase_, id_, lock_.waitsFor(wallNow(), kPatience_s), *cosimulation_, lock_, progress_.last());
+  status_.publish(last_phase_, id_, waitsFor(), *cosimulation_, lock_, progress_.last());
 }
 
 /// Commits and begins steps as far as answers and commands allow. @return true if run() has something to do now.
@@ -177,7 +195,8 @@ bool LtdNode::advance() {
 void LtdNode::watch(const volatile std::sig_atomic_t& interrupted) {
   const double now_s = wallNow();
   lock_.tick(now_s);
-  const std::string waits_for = lock_.waitsFor(now_s, kPatience_s);
+  if (cosimulation_->waitsForDriver()) driver_->tick();
+  const std::string waits_for = waitsFor();
   if (!waits_for.empty()) sayOnce(waits_for.substr(0, waits_for.find(" for ")));
   if (interrupted != 0) {
     cosimulation_->end(Outcome::Kind::kStopped, "interrupted");

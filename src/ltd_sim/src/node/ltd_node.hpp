@@ -17,6 +17,7 @@
 
 #include "loco_links.hpp"
 #include "ltd_sim/cosimulation.hpp"
+#include "driver_link.hpp"
 #include "ltd_sim/progress.hpp"
 #include "ltd_sim/run_control.hpp"
 #include "ltd_sim/run_outputs.hpp"
@@ -33,7 +34,8 @@ namespace ltd {
 /// signals.
 ///
 /// Publishes /loco_i/force, /train/state, /train/energy, /train/status, /train/configuration, /clock, /diagnostics;
-/// subscribes /loco_i/traction; serves /train/join and /train/step_lock.
+/// subscribes /loco_i/traction; with a driver in another program publishes /train/driver_view and subscribes
+/// /train/driver; serves /train/join and /train/step_lock.
 class LtdNode {
  public:
   struct Options {
@@ -52,6 +54,8 @@ class LtdNode {
   bool onJoin(train_msgs::JoinTrain::Request& request, train_msgs::JoinTrain::Response& response);
   bool onStepLock(train_msgs::StepLock::Request& request, train_msgs::StepLock::Response& response);
   void onTraction(const train_msgs::LocoTraction& msg);
+  void onDriver(const train_msgs::DriverCommand& msg);
+  std::string waitsFor() const;
   RunControl::Situation situation() const;
   bool advance();
   void watch(const volatile std::sig_atomic_t& interrupted);
@@ -79,6 +83,7 @@ class LtdNode {
   // Last, so that nothing is received or served any more when the rest goes.
   ros::NodeHandle node_;
   LocoLinks links_;
+  std::unique_ptr<DriverLink> driver_;  ///< if the driver is in another program
   ros::ServiceServer join_server_, step_lock_server_;
 };
 

@@ -19,6 +19,7 @@ void StatusPublisher::publish(std::uint8_t phase, const loco::ExchangeId& id, co
   msg.epoch = id.epoch;
   msg.phase = phase;
   msg.reason = cosimulation.outcome().ended() ? cosimulation.outcome().reason : waits_for;
+  msg.notes = cosimulation.outcome().ended() ? cosimulation.outcome().notes : cosimulation.notes();
   msg.step = cosimulation.state().step;
   msg.time = rail::toSeconds(cosimulation.time());
   msg.location = cosimulation.leadingLocation();
