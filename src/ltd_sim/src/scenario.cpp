@@ -119,7 +119,7 @@ OutputOptions readOutput(rail::YamlReader reader, const Bounds& bounds, rail::Na
 }
 
 Driver readDriver(rail::YamlReader reader, const TrainModel& train, rail::Nanoseconds macro_step,
-                  const rail::Track& track) {
+                  const rail::Track& track, const AirBrake& air_brake) {
   std::vector<int> largest(train.notch_groups.size(), 1 << 20);
   for (const LocoUnit& unit : train.locomotives)
     largest[unit.notch_group] = std::min(largest[unit.notch_group], train.traction[unit.type].notches());
@@ -127,7 +127,8 @@ Driver readDriver(rail::YamlReader reader, const TrainModel& train, rail::Nanose
   for (const LocoUnit& unit : train.locomotives)
     largest_brake[unit.notch_group] =
         std::min(largest_brake[unit.notch_group], train.dynamic_brakes[unit.type].notches());
-  return Driver::read(reader, train.notch_groups, largest, largest_brake, macro_step, track);
+  return Driver::read(reader, train.notch_groups, largest, largest_brake, macro_step, track,
+                      computeAbility(train, air_brake));
 }
 
 /// Refuses keys that do nothing in this train; leaves them alone if the train is not known.
@@ -240,8 +241,9 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   const bool sections_known =
       isSound(problems, [&] { sections = readContactOptions(root, scenario, model_known && train_known, step_known); });
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
-  scenario.driver = readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track);
   if (root.has("air_brake")) scenario.air_brake = AirBrake::read(root.map("air_brake"), scenario.train);
+  scenario.driver =
+      readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track, scenario.air_brake);
   const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};
   scenario.output = readOutput(root.map("output"), bounds, scenario.macro_step, step_known);
   root.finish();

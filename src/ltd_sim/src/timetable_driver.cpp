@@ -1,12 +1,142 @@
 #include "ltd_sim/timetable_driver.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "rail_core/constants.hpp"
+
 namespace ltd {
 
-TimetableDriver TimetableDriver::read(rail::YamlReader& reader, const rail::Track&, const TrainAbility&) {
-  reader.refuse("kind", "is not known yet");
-  return {};
+namespace {
+
+constexpr rail::Nanoseconds kControlPeriod = 200000000;  // chosen: a person's; notches are held much longer
+constexpr double kP_1ps = 0.1;      // chosen: 1 m/s too slow asks for 0.1 m/s2, reached without overshoot
+constexpr double kI_1ps2 = 0.0005;  // chosen: 20 times slower than P, for what the feed-forward does not know
+constexpr double kLargestIntegral_mps2 = 0.02;  // chosen: 2 permille of grade
+constexpr double kLargestStart_mps2 = 0.5;      // chosen: more than a freight train's traction gives
+constexpr double kBrakeBand_mps = 0.5;     // chosen: he brakes for the timetable's sake only this much above cruising
+constexpr double kIndifferent_mps = 0.25;  // chosen: 1 km/h that he does not answer, or notches would follow each other
+constexpr double kSlowestCruise_mps = 3.0;  // chosen: slower than that he would rather be early
+constexpr double kStanding_mps = 0.05;
+constexpr double kStopTolerance_m = 20.0;  // chosen: nearer to the stop he does not move up
+constexpr double kSlope_m = 1.0;           // chosen: distance over which a braking curve's slope is taken
+
+std::string text(const char* format, double a, double b) {
+  char line[120];
+  std::snprintf(line, sizeof line, format, a, b);
+  return line;
 }
 
-void TimetableDriver::command(const DriverView&, State&, DriverCommand&) const {}
+double toKm(double s_m) { return s_m / rail::kMetresPerKilometre; }
+
+}  // namespace
+
+void TimetableDriver::command(const DriverView& view, State& state, DriverCommand& lead) const {
+  if (state.started && view.t < state.next_control) return;
+  if (!state.started)  // what lies behind the start is not on the timetable
+    while (nextPoint(state) && nextPoint(state)->location_m < view.location_m) ++state.point;
+  state.started = true;
+  state.next_control = view.t + kControlPeriod;
+  passPoints(view, state);
+  if (state.waiting && view.t >= state.departure) {
+    state.waiting = false;
+    state.leaving = true;
+    state.next_plan = view.t;
+    ++state.point;
+  }
+  if (view.t >= state.next_plan) {
+    plan(view, state);
+    state.next_plan = view.t + planning_period_;
+  }
+  if (state.waiting)
+    hold(view, state, lead);
+  else
+    drive(view, state, lead);
+}
+
+void TimetableDriver::passPoints(const DriverView& view, State& state) const {
+  while (const Point* const point = nextPoint(state)) {
+    const double left_m = point->location_m - view.location_m;
+    if (state.waiting || left_m > (point->stop ? kStopTolerance_m : 0.0)) return;
+    if (point->stop && view.speed_mps > kStanding_mps) return;
+    noteArrival(*point, view, state);
+    if (!point->stop) {
+      ++state.point;
+      continue;
+    }
+    if (left_m < -kStopTolerance_m)
+      state.notes.push_back(text("timetable: stop at %.3f km overrun by %.0f m", toKm(point->location_m), -left_m));
+    state.waiting = true;
+    state.departure = std::numeric_limits<rail::Nanoseconds>::max();
+    if (point->dwell_s) state.departure = view.t + static_cast<rail::Nanoseconds>(std::llround(*point->dwell_s * 1e9));
+  }
+}
+
+void TimetableDriver::noteArrival(const Point& point, const DriverView& view, State& state) const {
+  if (!point.time_s) return;
+  const double late_s = rail::toSeconds(view.t) - *point.time_s;
+  if (late_s > late_tolerance_s_)
+    state.notes.push_back(text("timetable: %.3f km reached %.0f s late", toKm(point.location_m), late_s));
+}
+
+/// The slowest cruising speed that still meets the next time; the line's fastest if none does or none is asked. (V6)
+void TimetableDriver::plan(const DriverView& view, State& state) const {
+  const double fastest = line_.largestSpeed();
+  state.cruise_mps = fastest;
+  const Point* const point = nextPoint(state);
+  if (!point || !point->time_s) return;
+  const double left_s = *point->time_s - rail::toSeconds(view.t);
+  const auto time = [&](double cruise_mps) {
+    return line_.runningTime(view.location_m, view.speed_mps, point->location_m, point->stop, cruise_mps);
+  };
+  if (time(fastest) >= left_s) return;
+  double low = std::min(kSlowestCruise_mps, fastest), high = fastest;
+  for (int i = 0; i < 12; ++i) {  // chosen: 12 halvings leave less than 0.01 m/s
+    const double middle = 0.5 * (low + high);
+    (time(middle) > left_s ? low : high) = middle;
+  }
+  state.cruise_mps = high;
+}
+
+double TimetableDriver::permittedSpeed(double s_m, const State& state) const {
+  const double permitted = line_.permittedSpeed(s_m);
+  const Point* const point = nextPoint(state);
+  if (!point || !point->stop) return permitted;
+  const double left_m = std::max(0.0, point->location_m - s_m);
+  return std::min(permitted, std::sqrt(2.0 * deceleration_mps2_ * left_m));  // (V5)
+}
+
+void TimetableDriver::drive(const DriverView& view, State& state, DriverCommand& lead) const {
+  const double known_N = view.grade_N + view.resistance_N;
+  double a = (known_N + view.traction_N + view.air_brake_N) / ability_.mass_kg;
+  if (view.speed_mps < kStanding_mps) a = std::max(0.0, a);
+  const double v = std::max(0.0, view.speed_mps + a * reaction_s_);  // when a command of now has its force
+  const double s = view.location_m + 0.5 * (view.speed_mps + v) * reaction_s_;
+  const double permitted = permittedSpeed(s, state);
+  const double after = permittedSpeed(s + kSlope_m, state);
+  const double slope = std::clamp((after * after - permitted * permitted) / (2.0 * kSlope_m), -deceleration_mps2_, 0.0);
+  const auto wanted = [&](double reference_mps) {  // (V7)
+    const double a_ref = reference_mps < permitted ? 0.0 : permitted > 0.0 ? slope : -deceleration_mps2_;
+    const double error = reference_mps - v;
+    const double a_pi = kP_1ps * (error - std::clamp(error, -kIndifferent_mps, kIndifferent_mps)) + state.integral_mps2;
+    return ability_.mass_kg * std::min(a_ref + a_pi, kLargestStart_mps2) - known_N;
+  };
+  const double reference = std::min(permitted, state.cruise_mps);
+  const double error = reference - view.speed_mps;
+  if (std::fabs(error) > kIndifferent_mps && std::fabs(error) < 1.0)  // chosen: not far off, or it would wind up
+    state.integral_mps2 = std::clamp(state.integral_mps2 + kI_1ps2 * error * rail::toSeconds(kControlPeriod),
+                                     -kLargestIntegral_mps2, kLargestIntegral_mps2);
+  const double brake_N = std::max(0.0, -wanted(std::min(permitted, state.cruise_mps + kBrakeBand_mps)));
+  controls_.apply(wanted(reference), brake_N, ability_, view, state.controls, lead);
+  if (state.leaving && view.traction_N + view.grade_N > 0.0) state.leaving = false;
+  lead.independent_brake = state.leaving ? 1.0 : 0.0;
+}
+
+/// Stands: traction and dynamic brake off, what air there is stays, the locomotives' own brake holds.
+void TimetableDriver::hold(const DriverView& view, State& state, DriverCommand& lead) const {
+  controls_.apply(0.0, 0.0, ability_, view, state.controls, lead);
+  lead.independent_brake = 1.0;
+}
 
 }  // namespace ltd

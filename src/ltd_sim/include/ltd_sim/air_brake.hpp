@@ -39,6 +39,9 @@ class AirBrake {
   /// "" if the command can be obeyed, otherwise what is wrong with it. Says nothing of traction.
   std::string refuse(const DriverCommand& command) const;
 
+  /// Pressure in the pipe that asks for full service, over the atmosphere [Pa].
+  double fullServicePressure() const { return pipe_.parameters().full_service_Pa; }
+
   State initialState() const;
 
   /// Advances the brake from t to t + H with the command held. H must be the same in all steps. Allocates in the

@@ -1,27 +1,81 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ltd_sim/driver_command.hpp"
+#include "ltd_sim/driver_controls.hpp"
+#include "ltd_sim/timetable_line.hpp"
 #include "ltd_sim/train_ability.hpp"
 #include "rail_core/track.hpp"
 #include "rail_core/yaml_reader.hpp"
 
 namespace ltd {
 
-/// A driver who keeps speed limits and a timetable, looking ahead.
+/// A driver who keeps speed limits and a timetable, looking ahead. Constant. The laws are in docs/drivers.md.
+///
+/// YAML `driver` with kind: timetable:
+///   points: [{location_km: 12, time_s: 900}, {location_km: 20, time_s: 1500, stop: true, dwell_s: 60}, ...]
+///   service_deceleration_mps2: 0.2     # a of the braking curves
+///   brake_release: direct              # or graduated
+/// and, if the chosen values do not suit: release_above_kmph (25), limit_margin_kmph (2), late_tolerance_s (10),
+/// planning_period_s (1), notch_hold_s (3), reaction_s (4).
 class TimetableDriver {
  public:
-  /// What he remembers.
+  /// What he remembers. Copyable.
   struct State {
+    bool started = false;
+    rail::Nanoseconds next_control = 0;
+    rail::Nanoseconds next_plan = 0;
+    std::size_t point = 0;       ///< the next one
+    double cruise_mps = 0.0;     ///< (V6)
+    double integral_mps2 = 0.0;  ///< of the PI controller
+    bool waiting = false;        ///< at a stop
+    bool leaving = false;        ///< held by the independent brake until the traction pulls
+    rail::Nanoseconds departure = 0;
+    DriverControls::State controls;
     std::vector<std::string> notes;  ///< late arrivals and the like, in order
   };
 
   /// Reads the map's keys; the caller finishes the reader.
   static TimetableDriver read(rail::YamlReader& reader, const rail::Track& track, const TrainAbility& ability);
 
+  /// Decides when it is due, every 0.2 s; in between the command stays.
   void command(const DriverView& view, State& state, DriverCommand& lead) const;
+
+ private:
+  struct Point {
+    double location_m = 0.0;
+    std::optional<double> time_s;
+    bool stop = false;
+    std::optional<double> dwell_s;  ///< none: the train stays
+  };
+  static Point readPoint(rail::YamlReader reader);
+  void readPoints(rail::YamlReader& reader, const rail::Track& track);
+  void readHabits(rail::YamlReader& reader);
+  void readLine(rail::YamlReader& reader, const rail::Track& track);
+
+  void passPoints(const DriverView& view, State& state) const;
+  void noteArrival(const Point& point, const DriverView& view, State& state) const;
+  void plan(const DriverView& view, State& state) const;
+  void drive(const DriverView& view, State& state, DriverCommand& lead) const;
+  void hold(const DriverView& view, State& state, DriverCommand& lead) const;
+  double permittedSpeed(double s_m, const State& state) const;
+  const Point* nextPoint(const State& state) const {
+    return state.point < points_.size() ? &points_[state.point] : nullptr;
+  }
+
+  TrainAbility ability_;
+  TimetableLine line_;
+  DriverControls controls_;
+  std::vector<Point> points_;
+  double deceleration_mps2_ = 0.0;
+  double margin_mps_ = 0.0;
+  double late_tolerance_s_ = 0.0;
+  double reaction_s_ = 0.0;
+  rail::Nanoseconds planning_period_ = 0;
 };
 
 }  // namespace ltd

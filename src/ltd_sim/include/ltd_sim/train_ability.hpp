@@ -8,15 +8,24 @@ namespace ltd {
 /// those of all locomotives or all shoes together, >= 0, at a speed along the track. Filled by whoever knows train and
 /// brakes; a driver that follows a timetable plans with it, the others do not ask.
 struct TrainAbility {
-  double mass_kg = 0.0;                                       ///< inertial, the whole train
-  double ahead_m = 0.0;                                       ///< from the leading locomotive's CoG to the train's head
-  double behind_m = 0.0;                                      ///< from there to the train's tail
-  int notches = 0;                                            ///< of the lead group
-  int brake_notches = 0;                                      ///< likewise; 0: no dynamic brake
-  std::function<double(int notch, double v_mps)> traction_N;  ///< at the rail
+  double mass_kg = 0.0;      ///< inertial, the whole train
+  double weight_N = 0.0;     ///< the whole train: what a grade pulls with
+  double ahead_m = 0.0;      ///< from the leading locomotive's CoG to the train's head
+  double behind_m = 0.0;     ///< from there to the train's tail
+  double curving_N_m = 0.0;  ///< resistance in a curve times its radius, the whole train in it
+  int notches = 0;           ///< of the lead group
+  int brake_notches = 0;     ///< likewise; 0: no dynamic brake
+  std::function<double(int notch, double v_mps)> traction_N;             ///< at the rail
   std::function<double(int brake_notch, double v_mps)> dynamic_brake_N;  ///< may be empty without brake notches
-  std::function<double(double v_mps)> full_service_N;                    ///< air brake after a full service reduction
-  std::function<double(double v_mps)> resistance_N;                      ///< of the train on straight, level track
+  std::function<double(double v_mps)> full_service_N;  ///< air brake after a full service reduction; empty: none
+  std::function<double(double v_mps)> resistance_N;    ///< on straight, level track; empty: none
 };
+
+class AirBrake;
+struct TrainModel;
+
+/// That of a train: traction and dynamic brake of all its locomotives on the same notch, each within its adhesion
+/// limit; the shoes of all vehicles two minutes after a full service application.
+TrainAbility computeAbility(const TrainModel& train, const AirBrake& air_brake);
 
 }  // namespace ltd

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ltd_sim/train_ability.hpp"
+#include "rail_core/track.hpp"
+
+namespace ltd {
+
+/// The line as a driver knows it who looks ahead: what he may run at every place, and how long a stretch takes.
+/// Constant. Places are those of the leading locomotive's CoG.
+///
+/// The line is cut into cells of 10 m (chosen: short against braking distances, long enough that planning is cheap). A
+/// cell's limit is the lowest under the train from its head to its tail while the locomotive is anywhere in the cell,
+/// so a limit holds until the tail has left it and is kept up to 10 m longer than it need be. Grade and curvature of a
+/// cell are means over the train's length.
+class TimetableLine {
+ public:
+  TimetableLine() = default;
+  /// @param deceleration_mps2  a of the braking curves
+  /// @param margin_mps  so much below the limits
+  TimetableLine(const rail::Track& track, const TrainAbility& ability, double deceleration_mps2, double margin_mps);
+
+  /// Highest speed at s from which all lower limits ahead are reached by a:                                  (V4)
+  ///   v_p(s)^2 = min(v_lim(s)^2, v_p(s + d)^2 + 2 a d)
+  double permittedSpeed(double s_m) const;
+
+  /// Time from `from_m` at v to `to_m` with full traction up to the cruising speed or what is permitted.       (V6)
+  ///   v_i+1^2 = min(v_i^2 + 2 (F_t(v_i) - F_R(v_i) - F_G)/m d, v_c^2, v_p^2),   t = sum of 2 d/(v_i + v_i+1)
+  /// @param stop  the train stops at `to_m`; the braking curve to it holds as well
+  double runningTime(double from_m, double v_mps, double to_m, bool stop, double cruise_mps) const;
+
+  double smallestSpeed() const { return smallest_speed_mps_; }  ///< lowest limit, margin taken off
+  double largestSpeed() const { return largest_speed_mps_; }
+
+ private:
+  struct Cell {
+    double limit_mps;      ///< margin taken off
+    double permitted_mps;  ///< at the cell's start
+    double loss_mps2;      ///< deceleration by grade and curves
+  };
+  void buildLimits(const rail::Track& track, const TrainAbility& ability, double margin_mps);
+  void buildLosses(const rail::Track& track, const TrainAbility& ability);
+  void buildPull(const TrainAbility& ability);
+  std::size_t cellAt(double s_m) const;
+  double pull(double v_mps) const;
+
+  double start_m_ = 0.0;
+  double deceleration_mps2_ = 0.0;
+  double smallest_speed_mps_ = 0.0, largest_speed_mps_ = 0.0;
+  std::vector<Cell> cells_;
+  std::vector<double> pull_mps2_;  ///< acceleration by full traction against resistance, every kPullStep_mps
+};
+
+}  // namespace ltd
