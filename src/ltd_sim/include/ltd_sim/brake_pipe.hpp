@@ -42,6 +42,7 @@ class BrakePipe {
     };
     std::vector<Sample> history;  ///< sized in the first step, whose length holds for all
     std::size_t newest = 0;       ///< index in history
+    std::size_t steps_since_emergency = 0;
   };
 
   BrakePipe() = default;
