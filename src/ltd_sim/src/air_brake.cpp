@@ -92,13 +92,12 @@ void AirBrake::step(const DriverCommand& command, rail::Nanoseconds /*t*/, rail:
   if (!present()) return;
   const bool same = sameForBrake(command, state.command);
   state.command = command;
-  if (!same) state.quiet_steps = 0;
   // The whole history is one value then, and every vehicle has had it: nothing can move.
   if (same && state.quiet_steps > state.pipe.history.size()) return;
   const double step_s = rail::toSeconds(H);
   bool changed = pipe_.step(command, step_s, state.pipe);
   for (std::size_t i = 0; i < vehicles_.size(); ++i) changed = stepVehicle(i, command, step_s, state) || changed;
-  state.quiet_steps = changed ? 0 : state.quiet_steps + 1;
+  state.quiet_steps = changed || !same ? 0 : state.quiet_steps + 1;
 }
 
 bool AirBrake::stepVehicle(std::size_t i, const DriverCommand& command, double step_s, State& state) const {
