@@ -8,10 +8,13 @@ namespace ltd {
 
 namespace {
 
-/// Of each vehicle's CoG backwards from the leading one's, where the driver's valve is taken to be.
+/// Of each vehicle's CoG, backwards from that of the leading locomotive, where the driver's valve is taken to be.
 std::vector<double> placesOf(const TrainModel& train) {
   std::vector<double> place_m(train.vehicles.size(), 0.0);
   for (std::size_t i = 1; i < place_m.size(); ++i) place_m[i] = place_m[i - 1] + train.coupler_distance_m[i - 1];
+  if (train.locomotives.empty()) return place_m;
+  const double valve_m = place_m[train.locomotives.front().vehicle];
+  for (double& place : place_m) place -= valve_m;
   return place_m;
 }
 

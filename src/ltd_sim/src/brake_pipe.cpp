@@ -1,6 +1,7 @@
 #include "ltd_sim/brake_pipe.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +18,7 @@ double sentBefore(const BrakePipe::State& state, double delay, double Sample::*w
   const auto whole = static_cast<std::size_t>(delay);
   const double part = delay - static_cast<double>(whole);
   const std::size_t size = state.history.size();
+  assert(whole + 1 < size);  // the step's length has not changed
   const std::size_t at = state.newest >= whole ? state.newest - whole : state.newest + size - whole;
   const double late = state.history[at].*what;
   return late + part * (state.history[at > 0 ? at - 1 : size - 1].*what - late);
@@ -32,9 +34,9 @@ BrakePipe::BrakePipe(const Parameters& parameters, const std::vector<double>& pl
     if (p_.electronic) {
       result = {p_.delay_s, p_.delay_s, std::numeric_limits<double>::infinity()};
     } else {
-      double nearest_m = place;
-      result.service_delay_s = place / p_.service_wave_mps;
-      result.emergency_delay_s = place / p_.emergency_wave_mps;
+      double nearest_m = std::abs(place);
+      result.service_delay_s = nearest_m / p_.service_wave_mps;
+      result.emergency_delay_s = nearest_m / p_.emergency_wave_mps;
       for (const double remote : remote_m) {
         const double distance_m = std::abs(place - remote);
         nearest_m = std::min(nearest_m, distance_m);

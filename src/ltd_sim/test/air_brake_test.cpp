@@ -59,6 +59,18 @@ TEST(AirBrakeTest, ServiceWaveHasItsOwnSpeed) {
   EXPECT_NEAR(at_s, 1641.0 / 200.0, 1.01 * kStep_s);
 }
 
+TEST(AirBrakeTest, TheWaveStartsAtTheLeadingLocomotiveAndRunsBothWays) {
+  ltd::TrainModel train = fixtures::brakedTrain();
+  train.locomotives[0].vehicle = 40;
+  BrakeRig rig({}, train);
+  const double metres = 1641.0 / 107.0;
+  EXPECT_NEAR(rig.runUntil(emergencyCommand(), [&] { return rig.pipe(40) < 5.0; }), kStep_s, 1e-9);
+  const double to_head_s = kStep_s + rig.runUntil(emergencyCommand(), [&] { return rig.pipe(0) < 5.0; });
+  EXPECT_NEAR(to_head_s, 40.0 * metres / 250.0, 1.01 * kStep_s);
+  const double to_tail_s = to_head_s + rig.runUntil(emergencyCommand(), [&] { return rig.pipe(kTail) < 5.0; });
+  EXPECT_NEAR(to_tail_s, 67.0 * metres / 250.0, 1.01 * kStep_s);
+}
+
 TEST(AirBrakeTest, TheWaveCarriesTheValvesPressureUnchanged) {
   BrakeRig rig;
   rig.run(pipeAt(4.2), 2.0);

@@ -46,7 +46,7 @@ class BrakePipe {
   };
 
   BrakePipe() = default;
-  /// @param place_m   of each vehicle, backwards from the leading one
+  /// @param place_m   of each vehicle, backwards from the driver's valve; < 0 before it
   /// @param remote_m  places of the remote valves
   BrakePipe(const Parameters& parameters, const std::vector<double>& place_m, const std::vector<double>& remote_m);
 
