@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <istream>
 #include <iterator>
 #include <ostream>
@@ -30,8 +31,8 @@ struct Column {
 std::vector<Column> columnsFor(const CreepForceArguments& arguments) {
   const bool reduced = arguments.method == CreepMethod::kModfastsim || arguments.method == CreepMethod::kClosed;
   const auto unless = [](bool needed, double value) { return needed ? std::nullopt : std::optional<double>(value); };
-  // creepage beyond a million is a slip of the pen, and would overflow in the end
-  const rail::Range creepage = rail::between(-1e6, 1e6);
+  // chosen: a wheel that races at 50 m/s has it over the models' creepage floor of 0.5 m/s; a flange's spin is 2 rad/m
+  const rail::Range creepage = rail::between(-100.0, 100.0);
   return {{"a_mm", rail::aboveUpTo(0.0, 1e3), {}},
           {"b_mm", rail::aboveUpTo(0.0, 1e3), {}},
           {"N_N", rail::between(0.0, 1e9), {}},
@@ -129,6 +130,26 @@ ContactForce computeCase(const CreepForceArguments& arguments, const Case& c) {
   return toContactSigns(CreepLaw(parameters).computeForce(patch, creepage));
 }
 
+/// A creepage that would be possible on its own may not be so at its speed: then it was meant in percent.
+void checkSlip(const std::string& line, const std::string& column, double creepage, double V_mps,
+               rail::Problems& problems) {
+  constexpr double kLargestSlip_mps = 60.0;  // chosen: no wheel's rim is 216 km/h faster than its train
+  const double slip_mps = std::abs(creepage) * V_mps;
+  if (slip_mps > kLargestSlip_mps) {
+    problems.add(kInput, line + ": " + column, shown(creepage),
+                 "a ratio, 0.07 for 7 %: over V_mps it is a slip of " + shown(slip_mps) + " m/s, must be <= 60");
+  }
+}
+
+/// Number of the line that a problem names, 0 if it names none.
+int lineOf(const std::string& problem) {
+  const std::string start = std::string(kInput) + ": line ";
+  int number = 0;
+  if (problem.compare(0, start.size(), start) == 0)
+    std::from_chars(problem.data() + start.size(), problem.data() + problem.size(), number);
+  return number;
+}
+
 /// Values of one row in the order of `columns`; problems of ranges and relations are added.
 std::vector<double> checkedValues(const CreepForceArguments& arguments, const std::vector<Column>& columns,
                                   const rail::CsvTable& table, std::size_t row, rail::Problems& problems) {
@@ -145,6 +166,8 @@ std::vector<double> checkedValues(const CreepForceArguments& arguments, const st
   if (arguments.method == CreepMethod::kClosed && c.spin != 0.0) {
     problems.add(kInput, line + ": spin_rad_per_m", shown(c.spin), "must be 0 for --method closed");
   }
+  checkSlip(line, "creep_x", c.creep_x, c.V_mps, problems);
+  checkSlip(line, "creep_y", c.creep_y, c.V_mps, problems);
   if (c.k_S > c.k_A) problems.add(kInput, line + ": kS", shown(c.k_S), "must not be larger than kA");
   return values;
 }
@@ -168,7 +191,10 @@ int runCreepForce(const CreepForceArguments& arguments, const std::string& text,
     output << lines[static_cast<std::size_t>(table.line_of_row[row] - 1)] << ',' << shown(force.x_N + 0.0) << ','
            << shown(force.y_N + 0.0) << '\n';  // + 0.0: never -0
   }
-  for (const std::string& line : problems.lines()) errors << line << '\n';
+  std::vector<std::string> told = problems.lines();
+  std::stable_sort(told.begin(), told.end(),
+                   [](const std::string& a, const std::string& b) { return lineOf(a) < lineOf(b); });
+  for (const std::string& line : told) errors << line << '\n';
   return problems.empty() ? 0 : 2;
 }
 
