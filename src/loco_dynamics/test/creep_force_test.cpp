@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "creep_force_table.hpp"
+#include "loco_dynamics/contact/hertz.hpp"
 
 namespace {
 
@@ -135,6 +136,20 @@ TEST(CreepForceTest, ShearModulusAndPoissonsRatioMatterWhereGiven) {
   const Answer soft = run({"--method", "closed"}, kHeader + ",G_GPa,nu\n" + case_row + ",41,0.28\n");
   EXPECT_EQ(forcesAt(same.output, 2).first, steel);
   EXPECT_NEAR(forcesAt(soft.output, 2).first, 0.5 * steel, 0.002 * -steel);  // a little less saturated
+}
+
+TEST(CreepForceTest, AnEllipseMayComeFromCurvaturesAndLoad) {
+  const loco::HertzContact hertz({1.9, 1.1}, {200e9, 0.28});
+  const auto [a_m, b_m] = hertz.computeEllipse(100e3);
+  std::ostringstream given;
+  given.precision(17);
+  given << kHeader << "\n" << 1e3 * a_m << ',' << 1e3 * b_m << ",100000,10,0.35,1,0,1,1,0,0.001,0,0\n";
+  const std::string rest = kHeader.substr(std::string("a_mm,b_mm").size());
+  const Answer curved = run({}, "curvature_along_1pm,curvature_across_1pm" + rest +
+                                    ",E_GPa\n1.9,1.1,100000,10,0.35,1,0,1,1,0,0.001,0,0,200\n");
+  EXPECT_EQ(curved.status, 0) << curved.errors;
+  EXPECT_NEAR(forcesAt(curved.output, 2).first, forcesAt(run({}, given.str()).output, 2).first, 1e-5);
+  EXPECT_EQ(run({}, "a_mm,curvature_along_1pm" + rest + "\n").status, 2);
 }
 
 TEST(CreepForceTest, SignsAreContacts) {

@@ -11,6 +11,8 @@ const char* const kCreepForceHelp =
 Creep forces of elliptic wheel-rail contacts. Reads cases as CSV on standard input and writes the same rows with the columns
 Fx_N,Fy_N appended on standard output. The first line names the columns, in any order:
   a_mm,b_mm           semi-axes of the contact, a in rolling direction
+                      or curvature_along_1pm,curvature_across_1pm (both bodies together): Hertz's ellipse for N_N, with
+                      the column E_GPa, 210 without
   N_N                 normal force
   V_mps               speed; V times the creepages' magnitude is the slip speed that friction depends on
   mu0,A,B_s_per_m     friction mu = mu0 ((1 - A) exp(-B w) + A);  A = 1 is Coulomb's law
