@@ -218,8 +218,8 @@ TEST(Loco3dIrregularityTest, ASlowWaveOfTheAlignmentIsFollowedByTheWheelsets) {
   }
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     rail::verify({"13", "alignment, 600 m, 10 mm: wheelset " + std::to_string(axle + 1) + " in phase", "it follows",
-                  "mm", 1e3 * kA_m, 1e3 * in_phase_m[axle], 0.5,
-                  "5 %: bogies are stiff, the mass asks for some creep"});
+                  "mm", 1e3 * kA_m, 1e3 * in_phase_m[axle], 0.2,
+                  "2 %: a bogie's own wave of 46 m adds 0.6 %, what the run-in left of it as much"});
   }
 }
 
