@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Creep curves come from creep_force, asked with what the resolved scenario says; without it there are none."""
 import contextlib
+import dataclasses
 import io
 import os
 import sys
@@ -78,6 +79,12 @@ class CreepCurveTest(unittest.TestCase):
                 np.testing.assert_allclose(line.get_ydata(), 0.04 * line.get_xdata(), rtol=1e-9)
         labels = [text.get_text() for text in figure.legends[0].get_texts()]
         self.assertIn(f'creep curve at {run.adhesion.speed_kmph.max():.1f} km/h, 2D, mean axle load', labels)
+
+    def test_the_label_says_that_rail_sections_have_curves_of_their_own(self):
+        run = self.read()
+        run = dataclasses.replace(run, resolved=run.resolved + 'rail_sections: [{from_km: 3.1, to_km: 3.2}]')
+        curve, = creep_curve.creep_curves(run, (10.0,), 0.08)
+        self.assertEqual(curve.label, 'creep curve at 36.0 km/h, 2D, mean axle load, outside rail sections')
 
     def test_other_methods_are_asked_for_as_they_are(self):
         creep_curve.creep_curves(self.read('fastsim'), (5.0,), 0.08)

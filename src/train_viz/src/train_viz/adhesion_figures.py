@@ -65,7 +65,7 @@ def _draw_axle(axes: Axes, wheels: Adhesion, axle: int):
 def draw_creep_curves(axes: Axes, curves: List[CreepCurve], colour: str = '0.25') -> None:
     for curve, dashes in zip(curves, CURVE_LINES):
         axes.plot(100.0 * curve.creep, curve.adhesion, linestyle=dashes, color=colour, linewidth=1.3, zorder=3,
-                  label=f'creep curve at {3.6 * curve.speed_mps:.1f} km/h, 2D, mean axle load')
+                  label=curve.label)
 
 
 def _races(wheels: Adhesion) -> bool:

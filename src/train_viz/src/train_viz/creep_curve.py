@@ -25,6 +25,7 @@ class CreepCurve:
     speed_mps: float
     creep: np.ndarray     # [-], from 0
     adhesion: np.ndarray  # [-]
+    label: str
 
 
 def creep_curves(run: Run, speeds_mps: Tuple[float, ...], largest_creep: float) -> List[CreepCurve]:
@@ -36,13 +37,15 @@ def creep_curves(run: Run, speeds_mps: Tuple[float, ...], largest_creep: float) 
     if contact is None:
         return []
     creep = np.concatenate(([0.0], np.geomspace(FINEST, largest_creep, 80)))
+    sections = ', outside rail sections' if read_value(run.resolved, 'rail_sections') else ''
     curves = []
     for speed in speeds_mps:
         values, method = contact
         adhesion = _adhesion(values, method, wheel_N, speed, tuple(creep))
         if adhesion is None:
             return []
-        curves.append(CreepCurve(speed, creep, np.array(adhesion)))
+        curves.append(CreepCurve(speed, creep, np.array(adhesion),
+                                 f'creep curve at {3.6 * speed:.1f} km/h, 2D, mean axle load{sections}'))
     return curves
 
 
