@@ -110,7 +110,7 @@ void Loco3d::addOuterForces(const LocoForce& force, const TrackFrames& frames, c
 
 WheelsetMotion Loco3d::motionOf(std::size_t axle, const BodyState& state, const TrackFrames& frames) const {
   const std::size_t i = BodyLayout::wheelset(axle);
-  return {state.q[i], state.v[i], frames[i].curvature_1pm, frames[i].s_m};
+  return {state.q[i], state.v[i], frames[i].curvature_1pm, frames[i].s_m, frames[i].irregular, frames[i].rails};
 }
 
 void Loco3d::addContactForces(const LocoForce& force, double h) {
@@ -155,7 +155,7 @@ void Loco3d::book(const BodyVector& v_old, double h, LocoTraction& answer) {
   }
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     const WheelsetContact::Contacts& contacts = contacts_[axle];
-    for (std::size_t i = 0; i < contacts.count; ++i) answer.traction_N += contacts.list[i].creep_N.x();
+    for (std::size_t i = 0; i < contacts.count; ++i) answer.traction_N += contacts.list[i].alongTrack_N();
     const WheelsetContact::Work work = WheelsetContact::computeWork(contacts, v_mean[BodyLayout::wheelset(axle)], h);
     answer.work_slip_J += work.slip;
     account_.slip += work.slip;

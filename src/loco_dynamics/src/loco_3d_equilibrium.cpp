@@ -178,7 +178,7 @@ bool Loco3d::onStraightTrack(const BodyState& state) const {
   TrackFrames frames = frames_;
   frames.place(state.q);
   for (std::size_t i = 0; i < BodyLayout::kBodies; ++i)
-    if (frames[i].curvature_1pm != 0.0 || frames[i].roll_rad != 0.0) return false;
+    if (frames[i].curvature_1pm != 0.0 || frames[i].roll_rad != 0.0 || frames[i].irregular) return false;
   return true;
 }
 

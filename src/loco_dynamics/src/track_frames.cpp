@@ -21,6 +21,8 @@ void TrackFrames::place(const BodyVector& q) {
     frame.s_m = q[i][kX] + nominal_x_m_[i];
     if (track_ == nullptr) continue;
     frame.curvature_1pm = track_->at(frame.s_m, hints_[i]).curvature_1pm;
+    frame.irregular = i >= BodyLayout::wheelset(0) && track_->irregularity().covers(frame.s_m);
+    if (frame.irregular) frame.rails = track_->irregularity().at(frame.s_m);
     if (!track_->canted()) continue;
     const rail::TrackCant cant = track_->cant(frame.s_m, kCantWindow_m, hints_[i]);
     frame.roll_rad = cant.left_m / kRailDistance_m;

@@ -18,6 +18,8 @@ struct TrackFrame {
   double roll_slope_1pm = 0.0;  ///< d(roll)/ds
   double rise_m = 0.0;          ///< of the origin over the uncanted track
   double rise_slope = 0.0;
+  bool irregular = false;   ///< a wheelset's: the rails below it may lie elsewhere
+  rail::RailOffsets rails;  ///< then: where, in this frame; the frame itself follows the designed track
 };
 
 /// The track frames of all bodies of a locomotive. Copyable.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rail_core/track_irregularity.hpp"
 #include "rail_core/yaml_reader.hpp"
 
 namespace rail {
@@ -53,6 +54,7 @@ struct TrackCant {
 ///   name: ..., table_file: line.csv
 ///   between_rows: {grade: constant|linear, curvature: constant|linear}   # cant goes with curvature
 /// where `constant` holds a row's value until the next row and `linear` joins the rows; the speed limit always holds.
+/// Both may have `irregularity_file: rails.csv`, see TrackIrregularity.
 /// The track reaches from the first row to the last. Two rows at one chainage make a jump; a chainage that goes back is
 /// refused. Also refused: |radius| < 50 m, |grade| > 100 permille, cant outside 0..300 mm, a limit <= 0, curves that
 /// overlap or reach beyond the track.
@@ -81,6 +83,9 @@ class Track {
 
   /// False if no place has cant.
   bool canted() const { return canted_; }
+
+  /// How the rails deviate from all this; at() and the others do not know of it.
+  const TrackIrregularity& irregularity() const { return irregularity_; }
 
   const std::string& name() const { return name_; }
   double start_m() const { return start_m_; }
@@ -111,6 +116,7 @@ class Track {
   double start_m_ = 0.0, end_m_ = 0.0;
   std::vector<Piece> pieces_;
   bool canted_ = false;
+  TrackIrregularity irregularity_;
 };
 
 }  // namespace rail
