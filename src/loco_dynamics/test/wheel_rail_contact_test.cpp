@@ -80,7 +80,8 @@ TEST(WheelRailContactTest, RowsAreInOrderAndDisplacementIsToTheRight) {
   EXPECT_GT(radius(lines[4]), radius(lines[3]) + 1.0);  // the right wheel runs towards its flange
 }
 
-/// Over all places, light and heavy: a number, and not below the ellipse's, in which all load is spread evenly.
+/// Over all places, light and heavy: a number, and not below what the patch's own share of the load makes of its
+/// ellipse.
 TEST(WheelRailContactTest, PressuresAreThoseOfTheShape) {
   for (const std::string load : {"100", "109500"}) {
     const auto lines = linesOf(run({"--load", load, "--lateral", "0,0.5,1,1.5,2,3,4,4.5,5,5.1,5.2,5.5,6,7"}).output);
@@ -91,7 +92,7 @@ TEST(WheelRailContactTest, PressuresAreThoseOfTheShape) {
       ASSERT_EQ(value.size(), 12u);
       const double ellipse_MPa = 1.5 * value[7] / value[10];
       EXPECT_GT(value[11], 0.9 * ellipse_MPa) << lines[i];
-      EXPECT_LT(value[11], 10.0 * ellipse_MPa) << lines[i];  // tread and root, half merged: 8 times the lesser one's
+      EXPECT_LT(value[11], 5000.0) << lines[i];  // twice the flange's in CONTACT's cases
     }
   }
 }
