@@ -54,8 +54,8 @@ TEST(ProfileFaultsTest, MirroredFlangeIsRefused) {
   EXPECT_TRUE(has(faults(ProfileKind::kWheel, mirrored), ": mirrored: the flange (tip at z = "));
 }
 
-TEST(ProfileFaultsTest, MetresAndInchesAreRefused) {
-  for (const double factor : {1e-3, 1.0 / 25.4}) {
+TEST(ProfileFaultsTest, MetresCentimetresAndInchesAreRefused) {
+  for (const double factor : {1e-3, 0.1, 1.0 / 25.4}) {
     const auto scale = [factor](auto& point) { point = {factor * point.y_m, factor * point.z_m}; };
     EXPECT_TRUE(has(faults(ProfileKind::kWheel, changed(wheel(), scale)), "are these millimetres?")) << factor;
     EXPECT_TRUE(
