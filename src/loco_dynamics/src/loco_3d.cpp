@@ -57,7 +57,7 @@ void Loco3d::step(const std::vector<double>& state, const LocoForce& force, Loco
   account_.stored = -dynamics_.computeStoredEnergy(state_, placement());
   for (int i = 0; i < micro_steps && answer.failure.empty(); ++i) {
     answer.failure = stepMicro(force, control_state, h, answer);
-    if (answer.failure.empty()) answer.failure = checkWheels(h, time_in_air_s);
+    if (answer.failure.empty()) answer.failure = checkWheels(state_, frames_, contacts_, h, time_in_air_s);
   }
   if (!answer.failure.empty()) return;
   answer.traction_N /= micro_steps;
@@ -113,13 +113,18 @@ WheelsetMotion Loco3d::motionOf(std::size_t axle, const BodyState& state, const 
   return {state.q[i], state.v[i], frames[i].curvature_1pm, frames[i].s_m};
 }
 
+Vector6 Loco3d::inertiaOf(std::size_t axle) const {
+  Vector6 inertia;
+  for (const Dof dof : kAllDofs)
+    inertia[static_cast<Eigen::Index>(dof)] = dynamics_.layout().inertia(BodyLayout::wheelset(axle), dof);
+  return inertia;
+}
+
 void Loco3d::addContactForces(double h) {
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     const std::size_t i = BodyLayout::wheelset(axle);
     contact_.compute(motionOf(axle, state_, frames_), contacts_[axle]);
-    Vector6 inertia;
-    for (const Dof dof : kAllDofs) inertia[static_cast<Eigen::Index>(dof)] = dynamics_.layout().inertia(i, dof);
-    WheelsetContact::addForces(inertia, h, contacts_[axle], scratch_.loads[i]);
+    WheelsetContact::addForces(inertiaOf(axle), h, contacts_[axle], scratch_.loads[i]);
   }
 }
 
@@ -167,12 +172,13 @@ void Loco3d::book(const BodyVector& v_old, double h, LocoTraction& answer) {
   account_.dampers += dynamics_.computeDampingWork(v_old, state_.v, h, placement());
 }
 
-std::string Loco3d::checkWheels(double h, double* time_in_air_s) const {
+std::string Loco3d::checkWheels(const BodyState& state, const TrackFrames& frames, const ContactsOfAxles& contacts,
+                                double h, double* time_in_air_s) const {
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     const std::size_t i = BodyLayout::wheelset(axle);
-    std::string failure = parameters_.safety.check(parameters_.structure.bodies[i].name, frames_[i].s_m,
-                                                   parameters_.structure.wheel_radius_m, state_.q[i][kZ], h,
-                                                   contacts_[axle], time_in_air_s + 2 * axle);
+    std::string failure = parameters_.safety.check(parameters_.structure.bodies[i].name, frames[i].s_m,
+                                                   parameters_.structure.wheel_radius_m, state.q[i][kZ], h,
+                                                   contacts[axle], time_in_air_s + 2 * axle);
     if (!failure.empty()) return failure;
   }
   return {};

@@ -118,7 +118,7 @@ TEST(Loco3dTest, WithAGivenPatchItIsThePlanarModel) {
                        p.adhesion_limit,
                        p.micro_step});
   Ride3d ride(p, 4.42);
-  std::vector<double> state = planar.equilibriumState(3000.0, 4.42);
+  std::vector<double> state = planar.equilibriumState(3000.0, 4.42).state;
   loco::LocoTraction answer;
   ride.force.traction_reference_N = 490e3;
   for (int i = 0; i < 3000; ++i) {

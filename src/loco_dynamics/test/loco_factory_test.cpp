@@ -39,7 +39,7 @@ TEST(LocoFactoryTest, FindsTheLocomotiveAtItsPathInTheScenario) {
   force.step_length = 1000000;
   force.traction_reference_N = 1e9;
   loco::LocoTraction answer;
-  locomotive->step(locomotive->equilibriumState(0.0, 0.0), force, answer);
+  locomotive->step(locomotive->equilibriumState(0.0, 0.0).state, force, answer);
   EXPECT_DOUBLE_EQ(answer.traction_N, 0.2 * 100000 * 9.81);
   EXPECT_DOUBLE_EQ(answer.speed_mps, 1e-3 * answer.traction_N / 100000);
 }
@@ -127,7 +127,7 @@ TEST(LocoFactoryTest, MakesThePapers3dLocomotive) {
   loco::LocoForce force;
   force.step_length = 2000000;
   loco::LocoTraction answer;
-  locomotive->step(locomotive->equilibriumState(3000.0, 5.0), force, answer);
+  locomotive->step(locomotive->equilibriumState(3000.0, 5.0).state, force, answer);
   EXPECT_EQ(answer.failure, "");
   EXPECT_EQ(answer.adhesion.contacts.size(), 12u);
   EXPECT_EQ(locomotive->computePoses(answer.state).size(), 9u);
@@ -156,7 +156,7 @@ double curvingForce(const std::string& scenario, const std::vector<rail::Overrid
   loco::LocoForce force;
   force.step_length = 2000000;
   loco::LocoTraction answer;
-  locomotive->step(locomotive->equilibriumState(3450.0, 8.85), force, answer);
+  locomotive->step(locomotive->equilibriumState(3450.0, 8.85).state, force, answer);
   return answer.traction_N;
 }
 
