@@ -73,6 +73,18 @@ TEST(FrameForcesTest, ASpinningWheelsetThatIsTurnedLeftRollsToItsRightSideDown) 
   EXPECT_EQ(loads[1][loco::kRoll], 0.0);  // a bogie frame does not spin
 }
 
+TEST(FrameForcesTest, OverARunOffASpinningWheelsetIsTurnedByItsFramesRoll) {
+  // Omega_x x L points up (x cross y), so the body feels H Omega_x about -z; to the left curve the left rail goes down
+  const BodyLayout bodies = layout();
+  const auto track = fixtures::makeTrack("left", 150.0);
+  BodyVector v = running(kSpeed_mps), loads = zero();
+  const std::size_t set = BodyLayout::wheelset(2);
+  v[set][loco::kPitch] = 20.0;
+  loco::addFrameForces(bodies, framesAt(bodies, *track, 3325.0), v, 250.0, loads);
+  const double roll_rate = kSpeed_mps * -0.003 / 1.5;
+  EXPECT_NEAR(loads[set][loco::kYaw], -5000.0 * roll_rate, 1e-9);
+}
+
 /// Turning forces in a step of 1 ms.
 BodyVector turning(const BodyLayout& bodies, const rail::Track& track, double s_m, double v_mps, double a_mps2) {
   const double h = 1e-3, v_next = v_mps + h * a_mps2;

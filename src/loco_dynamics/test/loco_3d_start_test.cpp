@@ -43,6 +43,34 @@ TEST(Loco3dStartTest, InACurveThatIsTooTightAWheelClimbs) {
             "beyond the flange's largest angle");
 }
 
+/// On a run-off of 3 mm a metre that hardly curves, a bogie's end axles are rolled against it by +-slope 1.85/1.5, the
+/// front one to the right. The contacts' moment about the axle's middle holds the primary springs' 2 k_z y^2 times
+/// that.
+TEST(Loco3dStartTest, OnARunOffTheContactsHoldTheTwistOfThePrimarySprings) {
+  Loco3d::Parameters p = inCurve(300.0);
+  p.track = fixtures::makeTrack("left", 150.0, 50.0, 1e6);
+  p.gravity_stiffness = false;
+  fixtures::Ride3d ride(p, 0.0, 3325.0);
+  ride.step();
+  const loco::BodyState bodies = ride.bodies();
+  const auto moment_N_m = [&](std::size_t axle) {
+    const auto& q = bodies.q[loco::BodyLayout::wheelset(axle)];
+    const Eigen::Vector3d middle(0.0, q[loco::kY], 0.5335 + q[loco::kZ]);
+    const auto& contacts = ride.locomotive.contacts(axle);
+    double sum_N_m = 0.0;
+    for (std::size_t i = 0; i < contacts.count; ++i)
+      sum_N_m += (contacts.list[i].region.p_T - middle).cross(contacts.list[i].force_N()).x();
+    return sum_N_m;
+  };
+  const double stiffness_N_m = 2.0 * 782e3 * 1.078 * 1.078, twist_rad = 2.0 * 0.003 * 1.85 / 1.5;
+  for (const std::size_t first : {0, 3}) {
+    const double in_frames_rad = bodies.q[loco::BodyLayout::wheelset(first)][loco::kRoll] -
+                                 bodies.q[loco::BodyLayout::wheelset(first + 2)][loco::kRoll];
+    EXPECT_NEAR(moment_N_m(first) - moment_N_m(first + 2), stiffness_N_m * (in_frames_rad - twist_rad), 20.0) << first;
+    EXPECT_LT(std::abs(in_frames_rad), 0.05 * twist_rad) << first;
+  }
+}
+
 /// A rail that pushes with more than the wheel's load, or with next to nothing.
 struct Jump {
   std::size_t find(loco::Side side, const loco::WheelsetPose& pose,
