@@ -133,14 +133,6 @@ TEST(LocoFactoryTest, MakesThePapers3dLocomotive) {
   EXPECT_EQ(locomotive->computePoses(answer.state).size(), 9u);
 }
 
-TEST(LocoFactoryTest, ACurveTooTightForABogieIsRefused) {
-  const auto lines = faultsOfThePapersLocomotive({{"track.curves.0.radius_m", "110"}}, "paper_3d");
-  ASSERT_EQ(lines.size(), 1u);
-  EXPECT_NE(lines.front().find("has a curve of 110 m radius; a bogie with a wheelbase of 3.7 m needs at least 114.1 m"),
-            std::string::npos)
-      << lines.front();
-}
-
 TEST(LocoFactoryTest, A3dLocomotiveWithoutSoundProfilesIsRefused) {
   const auto lines = faultsOfThePapersLocomotive({{"train.groups.0.vehicle.profiles.gauge_mm", "1300"}}, "paper_3d");
   EXPECT_FALSE(lines.empty());
