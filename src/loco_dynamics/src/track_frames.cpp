@@ -22,9 +22,9 @@ void TrackFrames::place(const BodyVector& q) {
     if (track_ == nullptr) continue;
     frame.curvature_1pm = track_->at(frame.s_m, hints_[i]).curvature_1pm;
     if (!track_->canted()) continue;
-    const rail::TrackCant cant = track_->cant(frame.s_m, kCantWindow_m, hints_[i]);
-    frame.roll_rad = cant.left_m / kRailDistance_m;
-    frame.roll_slope_1pm = cant.slope / kRailDistance_m;
+    const rail::TrackCant cant = track_->cant(frame.s_m, rail::kCantWindow_m, hints_[i]);
+    frame.roll_rad = cant.computeRoll_rad();
+    frame.roll_slope_1pm = cant.computeRollSlope_1pm();
     frame.rise_m = 0.5 * cant.outer_m;  // it turns about the inner rail
     frame.rise_slope = 0.5 * cant.outer_slope;
   }
