@@ -105,7 +105,9 @@ TEST(Loco3dTest, UnderTractionLoadMovesToTheRearByTheMomentOfTheCoupler) {
   EXPECT_NEAR(sumOfLoads(ride.answer), fixtures::kWeight_N, 1.0);
 }
 
-/// With the 2D locomotive's patch on each wheel and forces at undisplaced points it is the 2D locomotive.
+/// With the 2D locomotive's patch on each wheel and forces at undisplaced points it is the 2D locomotive. While slip
+/// builds up (W5) and (P2) differ in the order of the step: 3.7 kN in the first 0.1 s, 1.4 kN in the second, and half
+/// of that with half the step; what they leave dies out.
 TEST(Loco3dTest, WithAGivenPatchItIsThePlanarModel) {
   Loco3d::Parameters p = fixtures::paperParameters3d();
   p.finder = fixtures::finderOf(fixtures::GivenPatch{});
@@ -125,8 +127,8 @@ TEST(Loco3dTest, WithAGivenPatchItIsThePlanarModel) {
     planar.step(state, ride.force, answer);
     state = answer.state;
     ride.step();
-    ASSERT_NEAR(ride.answer.traction_N, answer.traction_N, 5e3)
-        << i;  // (W5) and (P2) differ by O(h) while slip builds up
+    const double most_N = i < 150 ? 4e3 : i < 500 ? 160.0 : 35.0;
+    ASSERT_NEAR(ride.answer.traction_N, answer.traction_N, most_N) << i;
     ride.force.coupler_rear_N = -ride.answer.traction_N;
   }
   rail::verify({"9", "given patch: traction under control after 6 s", "2D locomotive", "N", answer.traction_N,
