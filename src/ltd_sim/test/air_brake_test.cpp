@@ -13,7 +13,6 @@ using fixtures::emergencyCommand;
 using fixtures::pipeAt;
 
 constexpr std::size_t kTail = 107;
-constexpr double kStep_s = 0.002;
 
 TEST(AirBrakeTest, ATrainWithoutOneHasNoForceAndObeysOnlyTheReleasedBrake) {
   const ltd::AirBrake none;
