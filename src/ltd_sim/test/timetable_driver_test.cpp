@@ -66,6 +66,20 @@ TEST(TimetableDriverTest, HoldsSpeedDownALongGradeWithDynamicBrakeThenAir) {
   }
 }
 
+TEST(TimetableDriverTest, AirAlone) {
+  for (const char* release : {"brake_release: direct\n", "brake_release: graduated\n"}) {
+    const rail::Track track = drivers::line(kLevel + ", {from_km: 3, grade_permille: -10}, {from_km: 23, grade_permille: 0}", "{from_km: 0, limit_kmph: 60}");
+    ltd::TrainAbility can = drivers::ability();
+    can.brake_notches = 0;
+    const ltd::Driver driver = drivers::timetable("{location_km: 25, stop: true}", track, can, release);
+    PointTrain train(driver, track, 1000.0, 55.0 * kKmph);
+    train.run(3600.0, [](const PointTrain& x) { return x.s > 22000.0; });
+    print("air alone", train);
+    train.run(3600.0, [](const PointTrain& x) { return x.state.timetable.waiting; });
+    print("air alone stop", train);
+  }
+}
+
 TEST(TimetableDriverTest, SaysHowLateWhenATimetableCannotBeKept) {
   const rail::Track track = drivers::line(kLevel, "{from_km: 0, limit_kmph: 60}");
   const ltd::Driver driver = drivers::timetable("{location_km: 12, time_s: 500}", track, drivers::ability());
