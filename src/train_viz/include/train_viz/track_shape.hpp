@@ -12,7 +12,7 @@ struct TrackShape {
   std::vector<Eigen::Vector3d> left_rail, right_rail;  ///< tops of the rails, kCantBaseline_m apart
   std::vector<Eigen::Vector3d> centre;                 ///< on the bed, below the rail tops
   Triangles bed;                                       ///< ballast
-  std::vector<Caption> posts;                          ///< chainages beside the line: "3.4 km"
+  std::vector<Caption> posts;  ///< chainages right of the line: "3.4", and large "3 km" high above it
 };
 
 /// Chainages between which the line may be drawn straight: no place of it is further than `tolerance_m` off the chord.

@@ -27,6 +27,6 @@ TrainShape computeTrainShape(const TrainOutline& outline, const rail::WorldTrack
 
 inline constexpr double kBodyGap_m = 1.0;            ///< chosen: between two bodies, the couplers' room
 inline constexpr double kCouplerHeight_m = 0.885;    ///< that of the paper's locomotive
-inline constexpr double kDiagram_m_per_N = 30.0e-6;  ///< chosen: 30 m beside the line for 1 MN
+inline constexpr double kDiagram_m_per_N = 20.0e-6;  ///< chosen: 20 m beside the line for 1 MN
 
 }  // namespace viz

@@ -9,14 +9,15 @@ namespace viz {
 namespace {
 
 // Chosen: read beside one locomotive, and from above the whole train.
-constexpr double kNearLetters_m = 0.7;
-constexpr double kNearText_m = 6.5;  // above the rail
-constexpr double kFarLetters_m = 22.0;
-constexpr double kFarText_m = 120.0;
+constexpr double kNearLetters_m = 1.0;
+constexpr double kNearText_m = 8.5;  // above the rail
+constexpr double kFarLetters_m = 32.0;
+constexpr double kFarText_m = 150.0;
+constexpr double kFarOffset_m = 160.0;  // to the right of the line
 
 std::vector<Caption> captionsAbove(const Eigen::Isometry3d& X_WT, const std::string& text) {
   return {{X_WT * Eigen::Vector3d(0.0, 0.0, kNearText_m), kNearLetters_m, text},
-          {X_WT * Eigen::Vector3d(0.0, 0.0, kFarText_m), kFarLetters_m, text}};
+          {X_WT * Eigen::Vector3d(0.0, -kFarOffset_m, kFarText_m), kFarLetters_m, text}};
 }
 
 }  // namespace

@@ -17,10 +17,13 @@ constexpr double kBedHalfWidth_m = 1.7;  // chosen: about a ballast bed's
 constexpr double kBedDepth_m = 0.2;      // chosen: below the rail tops; a rail is 0.172 m high (UIC60)
 constexpr Colour kBed{0.36, 0.34, 0.32, 1.0};
 
-// Chosen: letters that can be read from where one looks at one wagon, at a locomotive's length and at the whole train.
 constexpr double kPostSpacing_m = 100.0;
-constexpr double kLongLine_m = 30.0e3;  // chosen: posts every km only on a longer one
-constexpr double kPostOffset_m = 6.0;
+constexpr double kLongLine_m = 30.0e3;  // chosen: on a longer one only every km has a post
+constexpr double kNearLetters_m = 2.0;  // chosen: read from where one looks at a few vehicles
+constexpr double kNearOffset_m = 4.5;
+constexpr double kFarLetters_m = 32.0;  // chosen: read from above a train of 1.6 km; so high that near views miss it
+constexpr double kFarOffset_m = 70.0;
+constexpr double kFarHeight_m = 150.0;
 
 Eigen::Vector3d positionOf(const rail::TrackPose& pose) { return {pose.x_m, pose.y_m, pose.z_m}; }
 
@@ -35,24 +38,23 @@ double deviation(const std::vector<Eigen::Vector3d>& places, std::size_t i, std:
   return largest_m;
 }
 
-double letterHeight(long number, long per_km) {
-  if (number % per_km == 0) return 14.0;
-  return number % (per_km / 2) == 0 ? 7.0 : 2.5;
+Caption makePost(const rail::WorldTrack& world, double s_m, bool far) {
+  const Eigen::Vector3d near_place(0.0, -kNearOffset_m, 0.5 * kNearLetters_m),
+      far_place(0.0, -kFarOffset_m, kFarHeight_m);
+  char text[32];
+  std::snprintf(text, sizeof text, far ? "%.0f km" : "%.1f", s_m / rail::kMetresPerKilometre);
+  return {frameOf(world.at(s_m)) * (far ? far_place : near_place), far ? kFarLetters_m : kNearLetters_m, text};
 }
 
 std::vector<Caption> makePosts(const rail::Track& track, const rail::WorldTrack& world) {
   const bool is_long = track.end_m() - track.start_m() > kLongLine_m;
-  const double spacing_m = is_long ? rail::kMetresPerKilometre : kPostSpacing_m;
-  const long per_km = is_long ? 1 : std::lround(rail::kMetresPerKilometre / kPostSpacing_m);
+  const long per_km = std::lround(rail::kMetresPerKilometre / kPostSpacing_m);
   std::vector<Caption> posts;
-  for (long i = std::lround(std::ceil(track.start_m() / spacing_m));
-       static_cast<double>(i) * spacing_m <= track.end_m(); ++i) {
-    const double s_m = static_cast<double>(i) * spacing_m;
-    const double height_m = is_long ? letterHeight(0, 1) : letterHeight(i, per_km);
-    char text[32];
-    std::snprintf(text, sizeof text, height_m > 10.0 ? "%.0f km" : "%.1f", s_m / rail::kMetresPerKilometre);
-    const Eigen::Vector3d beside(0.0, -kPostOffset_m - height_m, 0.6 * height_m);
-    posts.push_back({frameOf(world.at(s_m)) * beside, height_m, text});
+  for (auto i = static_cast<long>(std::ceil(track.start_m() / kPostSpacing_m));
+       static_cast<double>(i) * kPostSpacing_m <= track.end_m(); ++i) {
+    const double s_m = static_cast<double>(i) * kPostSpacing_m;
+    if (!is_long || i % per_km == 0) posts.push_back(makePost(world, s_m, false));
+    if (i % per_km == 0) posts.push_back(makePost(world, s_m, true));
   }
   return posts;
 }

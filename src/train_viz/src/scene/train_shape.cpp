@@ -17,6 +17,8 @@ constexpr double kBogieEnds_m = 1.2;  // both, beyond the outer axles
 constexpr double kCouplerWidth_m = 0.4;
 constexpr double kWheelWidth_m = 0.135;  // UIC 510-2
 constexpr double kAxleRadius_m = 0.09;
+constexpr double kDiagramHeight_m = -0.3;  // under the bed
+constexpr double kDiagramOpacity = 0.5;
 constexpr Colour kLoco{0.95, 0.6, 0.1, 1.0};
 constexpr Colour kChosenLoco{1.0, 0.78, 0.25, 1.0};
 constexpr Colour kWagon{0.36, 0.46, 0.42, 1.0};
@@ -79,9 +81,10 @@ void addDiagram(const rail::WorldTrack& world, const std::vector<double>& place_
   for (std::size_t i = 0; i + 1 < place_m.size(); ++i) {
     const Eigen::Isometry3d X_WF = frameOf(world.at(place_m[i])), X_WR = frameOf(world.at(place_m[i + 1]));
     const auto at = [](const Eigen::Isometry3d& X_WT, double y_m) -> Eigen::Vector3d {
-      return X_WT * Eigen::Vector3d(0.0, y_m, 0.0);
+      return X_WT * Eigen::Vector3d(0.0, y_m, kDiagramHeight_m);
     };
-    const Colour colour = couplerColour(0.5 * (force_N[i] + force_N[i + 1]));
+    Colour colour = couplerColour(0.5 * (force_N[i] + force_N[i + 1]));
+    colour.a = kDiagramOpacity;
     diagram.add(at(X_WR, 0.0), at(X_WF, 0.0), at(X_WF, kDiagram_m_per_N * force_N[i]),
                 at(X_WR, kDiagram_m_per_N * force_N[i + 1]), colour);
   }
