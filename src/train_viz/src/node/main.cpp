@@ -10,8 +10,8 @@ namespace {
 
 /// A parameter of the type of `fallback`; another type is refused.
 template <typename Value>
-Value readParameter(const std::string& name, Value fallback, const std::string& rule, Value low, Value high) {
-  const ros::NodeHandle parameters("~");
+Value readParameter(const ros::NodeHandle& parameters, const std::string& name, Value fallback, const std::string& rule,
+                    Value low, Value high) {
   Value value = fallback;
   if (parameters.hasParam(name) && (!parameters.getParam(name, value) || !(value >= low && value <= high)))
     throw std::runtime_error("train_markers: ~" + name + ": " + rule);
@@ -23,11 +23,12 @@ Value readParameter(const std::string& name, Value fallback, const std::string& 
 /// train_markers: shows a run in rviz; see docs/watch.md for its parameters.
 int main(int argc, char** argv) {
   ros::init(argc, argv, "train_markers");
+  const ros::NodeHandle parameters("~");  // until the end: with the last handle the log is closed, too
   try {
     viz::TrainMarkers::Options options;
-    options.locomotive =
-        readParameter("locomotive", options.locomotive, "must be a whole number from 1, from the head", 1, 5000);
-    options.rate_hz = readParameter("rate_hz", options.rate_hz, "must be a number from 1 to 60", 1.0, 60.0);
+    options.locomotive = readParameter(parameters, "locomotive", options.locomotive,
+                                       "must be a whole number from 1, from the head", 1, 5000);
+    options.rate_hz = readParameter(parameters, "rate_hz", options.rate_hz, "must be a number from 1 to 60", 1.0, 60.0);
     const viz::TrainMarkers markers(options);
     ros::spin();
   } catch (const std::exception& error) {

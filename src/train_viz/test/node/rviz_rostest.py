@@ -137,12 +137,21 @@ class RvizTest(unittest.TestCase):
         for topic in TOPICS:
             wait_for(lambda: '/rviz' in subscribers_of(f'/train_markers/{topic}'), f'rviz shows {topic}')
         self.play()
-        # the chosen locomotive's left side and the others'; a tenth of what was seen
+        # the left sides of the chosen locomotive and of the others, shaded; many more pixels were seen
         wait_for(lambda: count_pixels(screen, (223, 174, 56)) > 500, 'the chosen locomotive on the screen')
         wait_for(lambda: count_pixels(screen, (213, 134, 22)) > 200, 'another locomotive on the screen')
         with open(os.path.join(self.folder, 'rviz.log')) as log:
             errors = [line for line in log if 'ERROR' in line or 'FATAL' in line]
         self.assertEqual(errors, [])
+
+    def test_3_parameters_out_of_range_are_refused_by_name(self):
+        for parameter in ('locomotive:=0', 'locomotive:=first', 'rate_hz:=1000'):
+            name = parameter.split(':=')[0]
+            refused = subprocess.run(['rosrun', 'train_viz', 'train_markers', '__name:=refused', '_' + parameter],
+                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=DEADLINE_S)
+            rospy.delete_param('/refused/' + name)
+            self.assertEqual(refused.returncode, 2, parameter)
+            self.assertIn(f'train_markers: ~{name}: must be', refused.stdout)
 
 
 def subscribers_of(topic):
