@@ -29,6 +29,7 @@ TITLES = {
     10: "Steady curving, Klingel",
     11: "Contact geometry",
     12: "Hunting",
+    13: "Brakes",
 }
 
 

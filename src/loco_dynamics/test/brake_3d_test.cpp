@@ -42,10 +42,10 @@ TEST(Brake3dTest, ShoesRetardWithTheirForceLessWhatTheWheelsSpinGivesAndNothingL
   ride.run(4.0);
   const double creep = ride.answer.adhesion.axles[2].creep, r = kLoadedRadius_m;
   const double spin_kg = 6.0 * kSpin_kg_m2 * (1.0 + creep) / (r * r);
-  rail::verify({"4", "3D, brake shoes of 100 kN at 17.6 m/s: force", "-B + 6 J |a| (1 + s)/r^2", "N",
-                -100e3 * 0.5335 / r * kMass_kg / (kMass_kg + spin_kg), ride.answer.traction_N, 40.0,
+  rail::verify({"13", "3D, brake shoes of 100 kN at 17.6 m/s: force", "-B - 6 J a (1 + s)/r^2", "N",
+                -100e3 * 0.5335 / r * kMass_kg / (kMass_kg + spin_kg), ride.answer.traction_N, 10.0,
                 "rolling radius to 5e-5, creep itself changes as the speed falls"});
-  rail::verify({"9", "3D, braked by shoes for 4 s: largest lateral motion of a body", "exact", "m or rad", 0.0,
+  rail::verify({"13", "3D, braked by shoes for 4 s: largest lateral motion of a body", "exact", "m or rad", 0.0,
                 largestLateral(ride), 1e-9, "round-off, as under traction"});
   EXPECT_LT(std::abs(ride.answer.speed_mps - ride.ltd_speed), 1e-10);
 }
@@ -61,7 +61,7 @@ TEST(Brake3dTest, ShoesStopItAndHoldItOnAGradeToCreep) {
   const loco::BodyState bodies = ride.bodies();
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle)
     EXPECT_NEAR(bodies.v[BodyLayout::wheelset(axle)][loco::kPitch], 0.0, 1e-6);
-  rail::verify({"7", "3D, stop by shoes from 5 m/s: residual over the work of shoes and slip", "exact", "1", 0.0,
+  rail::verify({"13", "3D, stop by shoes from 5 m/s: residual over the work of shoes and slip", "exact", "1", 0.0,
                 ride.sum.residual() / (ride.sum.shoes + ride.sum.slip), 1e-5,
                 "asked for; works use the mean of a step's speeds"});
   EXPECT_LT(std::abs(ride.answer.speed_mps - ride.ltd_speed), 1e-10);
@@ -77,8 +77,8 @@ TEST(Brake3dTest, ShoesBeyondAdhesionLockTheWheelsUntilTheyAreReleased) {
     EXPECT_NEAR(axle.creep, -1.0, 1e-4);
     largest_N = std::max(largest_N, std::abs(axle.force_N + mu * axle.normal_force_N));
   }
-  rail::verify({"4", "3D, locked wheels at 16 m/s: largest deviation of an axle's force", "mu(v) N", "N", 0.0,
-                largest_N, 60.0, "contacts lie on a cone of 50 mrad: 1 - cos is 1.2e-3 of the load"});
+  rail::verify({"13", "3D, locked wheels at 16 m/s: largest deviation of an axle's force", "mu(v) N", "N", 0.0,
+                largest_N, 1.0, "speeds of wheelsets and CoG differ by mm/s"});
   EXPECT_LT(largestLateral(ride), 1e-6);
   EXPECT_LT(std::abs(ride.sum.residual()), 1e-5 * (ride.sum.shoes + ride.sum.slip));
   ride.force.shoe_force_N = 0.0;
@@ -92,8 +92,8 @@ TEST(Brake3dTest, BelowAdhesionTheDynamicBrakeGivesWhatIsAskedAndLoadMovesForwar
     Ride3d ride(onRail(rail), 4.42);
     ride.force.traction_reference_N = -200e3;
     EXPECT_LT(runAtSteadySpeed(ride, 15.0), 1e-10);
-    rail::verify({"4", "3D, dynamic brake of 200 kN on " + rail, "asked for, times nominal over loaded radius", "N",
-                  -200e3 * 0.5335 / kLoadedRadius_m, ride.answer.traction_N, 30.0, "rolling radius to 1e-4"});
+    rail::verify({"13", "3D, dynamic brake of 200 kN on " + rail, "asked for, times nominal over loaded radius", "N",
+                  -200e3 * 0.5335 / kLoadedRadius_m, ride.answer.traction_N, 4.0, "rolling radius to 2e-5"});
     double recovered_J = 0.0, moment_N_m = 0.0;
     const loco::LocoStructure s = onRail(rail).structure;
     for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
@@ -124,8 +124,8 @@ TEST(Brake3dTest, BeyondAdhesionCreepSettlesAtMinusSevenPerCentAndNothingOscilla
       square += off_N * off_N;
     }
     const double deviation_N = std::sqrt(std::max(square / n - sum / n * sum / n, 0.0));
-    rail::verify({"4", "3D, slide control on " + rail + ": standard deviation of the force", "no limit cycle", "N", 0.0,
-                  deviation_N, 1.0, "1e-5 of the force"});
+    rail::verify({"13", "3D, slide control on " + rail + ": standard deviation of the force", "no limit cycle", "N",
+                  0.0, deviation_N, 0.01, "settled to round-off of wheel loads"});
     for (const loco::AxleAdhesion& axle : ride.answer.adhesion.axles) {
       EXPECT_NEAR(axle.creep, -0.07, 5e-4);  // the controller knows the nominal radius
       EXPECT_TRUE(axle.controlled);
@@ -158,6 +158,25 @@ TEST(Brake3dTest, SandRaisesTheForceToThatOfItsOwnLawAndNeverLowersIt) {
   const double wet_N = forceWith(false, 0.35);
   EXPECT_LT(forceWith(true, 0.35), 1.3 * wet_N);  // both < 0
   EXPECT_EQ(forceWith(true, 0.15), wet_N);        // to the bit
+}
+
+TEST(Brake3dTest, LockedWheelsComeToRestOnACleanSlipperyRailWithoutChatter) {
+  loco::Loco3d::Parameters p = fixtures::paperParameters3d();
+  p.rail.elsewhere.reduction.k0 = 1.0;  // stiff creep: the straight lines of (W5) pass what 0.05 of friction offers
+  p.rail.elsewhere.friction.mu0 = 0.05;
+  Ride3d ride(p, 1.0);
+  ride.force.shoe_force_N = 700e3;
+  ride.force.grade_N = -20e3;
+  ride.run(8.0);
+  const double speed_mps = ride.answer.speed_mps;
+  EXPECT_NEAR(ride.answer.traction_N, 20e3, 1.0);
+  EXPECT_LT(std::abs(speed_mps), 1e-3);
+  double largest_mps = 0.0;
+  for (int i = 0; i < 500; ++i) {
+    ride.step();
+    largest_mps = std::max(largest_mps, std::abs(ride.answer.speed_mps - speed_mps));
+  }
+  EXPECT_LT(largest_mps, 1e-6);
 }
 
 }  // namespace
