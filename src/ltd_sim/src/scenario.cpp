@@ -157,7 +157,7 @@ std::vector<loco::RailConditions::Section> readContactOptions(rail::YamlReader& 
   else
     refuseKeys(root, {"profiles", "gravity_stiffness"}, train_known, "is of use to 3D locomotives only");
   if (!needed) {
-    refuseKeys(root, {"adhesion", "rail_sections", "control"}, train_known, "is of no use to 1D locomotives");
+    refuseKeys(root, {"adhesion", "rail_sections", "sanded_adhesion", "control"}, train_known, "is of no use to 1D locomotives");
     return {};
   }
   return loco::readModelOptions(root, step_known ? scenario.micro_step : 0).rail.sections;
