@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Builds and measures: LTD per vehicle and step, creep forces, a locomotive's micro step, the lock beside a raw TCP round trip, the paper's run, memory, start.
+# Builds and measures: LTD per vehicle and step, the air brake, creep forces, a locomotive's micro step, the lock beside a raw TCP round trip, the paper's run, memory, start.
 # For figures that mean something leave the machine alone meanwhile; for a change measure before and after in turn.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
 "$REPO/scripts/build.sh" > /dev/null
 source_setup "$REPO/devel/setup.bash"
-"$REPO/devel/lib/ltd_sim/train_dynamics_benchmark" --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
+for subject in train_dynamics air_brake; do
+  "$REPO/devel/lib/ltd_sim/${subject}_benchmark" --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
+done
 for subject in contact loco; do
   "$REPO/devel/lib/loco_dynamics/${subject}_benchmark" --benchmark_repetitions=5 --benchmark_report_aggregates_only=true
 done

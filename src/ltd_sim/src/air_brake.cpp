@@ -8,10 +8,13 @@ namespace ltd {
 
 namespace {
 
-/// Of each vehicle's CoG backwards from the leading one's, where the driver's valve is taken to be.
+/// Of each vehicle's CoG, backwards from that of the leading locomotive, where the driver's valve is taken to be.
 std::vector<double> placesOf(const TrainModel& train) {
   std::vector<double> place_m(train.vehicles.size(), 0.0);
   for (std::size_t i = 1; i < place_m.size(); ++i) place_m[i] = place_m[i - 1] + train.coupler_distance_m[i - 1];
+  if (train.locomotives.empty()) return place_m;
+  const double valve_m = place_m[train.locomotives.front().vehicle];
+  for (double& place : place_m) place -= valve_m;
   return place_m;
 }
 
@@ -92,13 +95,12 @@ void AirBrake::step(const DriverCommand& command, rail::Nanoseconds /*t*/, rail:
   if (!present()) return;
   const bool same = sameForBrake(command, state.command);
   state.command = command;
-  if (!same) state.quiet_steps = 0;
   // The whole history is one value then, and every vehicle has had it: nothing can move.
   if (same && state.quiet_steps > state.pipe.history.size()) return;
   const double step_s = rail::toSeconds(H);
   bool changed = pipe_.step(command, step_s, state.pipe);
   for (std::size_t i = 0; i < vehicles_.size(); ++i) changed = stepVehicle(i, command, step_s, state) || changed;
-  state.quiet_steps = changed ? 0 : state.quiet_steps + 1;
+  state.quiet_steps = changed || !same ? 0 : state.quiet_steps + 1;
 }
 
 bool AirBrake::stepVehicle(std::size_t i, const DriverCommand& command, double step_s, State& state) const {

@@ -1,6 +1,7 @@
 #include "ltd_sim/brake_pipe.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -12,16 +13,15 @@ namespace {
 
 using Sample = BrakePipe::State::Sample;
 
-/// The ring `delay` steps before its newest sample, linear between samples.
-Sample sampleBefore(const BrakePipe::State& state, double delay) {
+/// What the valve sent out `delay` steps before the newest sample, linear between samples.
+double sentBefore(const BrakePipe::State& state, double delay, double Sample::*what) {
   const auto whole = static_cast<std::size_t>(delay);
   const double part = delay - static_cast<double>(whole);
   const std::size_t size = state.history.size();
+  assert(whole + 1 < size);  // the step's length has not changed
   const std::size_t at = state.newest >= whole ? state.newest - whole : state.newest + size - whole;
-  const Sample& late = state.history[at];
-  const Sample& early = state.history[at > 0 ? at - 1 : size - 1];
-  return {late.service_Pa + part * (early.service_Pa - late.service_Pa),
-          late.emergency_Pa + part * (early.emergency_Pa - late.emergency_Pa)};
+  const double late = state.history[at].*what;
+  return late + part * (state.history[at > 0 ? at - 1 : size - 1].*what - late);
 }
 
 }  // namespace
@@ -34,9 +34,9 @@ BrakePipe::BrakePipe(const Parameters& parameters, const std::vector<double>& pl
     if (p_.electronic) {
       result = {p_.delay_s, p_.delay_s, std::numeric_limits<double>::infinity()};
     } else {
-      double nearest_m = place;
-      result.service_delay_s = place / p_.service_wave_mps;
-      result.emergency_delay_s = place / p_.emergency_wave_mps;
+      double nearest_m = std::abs(place);
+      result.service_delay_s = nearest_m / p_.service_wave_mps;
+      result.emergency_delay_s = nearest_m / p_.emergency_wave_mps;
       for (const double remote : remote_m) {
         const double distance_m = std::abs(place - remote);
         nearest_m = std::min(nearest_m, distance_m);
@@ -89,6 +89,7 @@ bool BrakePipe::stepValve(const DriverCommand& command, double step_s, State& st
   if (state.history.empty()) {
     // Two samples more than the longest delay: the one of this step, and one to interpolate from.
     state.history.assign(static_cast<std::size_t>(longest_delay_s_ / step_s) + 3, {state.valve_Pa, kChargedPipe_Pa});
+    state.steps_since_emergency = state.history.size();
   }
   const double before_Pa = state.valve_Pa;
   const double asked_Pa = command.emergency ? 0.0 : command.pipe_pressure_Pa;
@@ -102,18 +103,24 @@ bool BrakePipe::stepValve(const DriverCommand& command, double step_s, State& st
   }
   state.newest = state.newest + 1 < state.history.size() ? state.newest + 1 : 0;
   state.history[state.newest] = {state.valve_Pa, command.emergency ? state.valve_Pa : kChargedPipe_Pa};
+  state.steps_since_emergency = command.emergency ? 0 : state.steps_since_emergency + 1;
   return state.valve_Pa != before_Pa;
 }
 
 bool BrakePipe::step(const DriverCommand& command, double step_s, State& state) const {
   bool changed = stepValve(command, step_s, state);
+  const double steps_per_s = 1.0 / step_s;
+  const bool any_emergency = state.steps_since_emergency <= state.history.size();
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Place& place = places_[i];
-    const double service_Pa = sampleBefore(state, place.service_delay_s / step_s).service_Pa;
-    const double emergency_Pa = sampleBefore(state, place.emergency_delay_s / step_s).emergency_Pa;
-    const double arrived_Pa = std::min(service_Pa, emergency_Pa);
+    double arrived_Pa = sentBefore(state, place.service_delay_s * steps_per_s, &Sample::service_Pa);
+    char emergency = 0;
+    if (any_emergency) {
+      const double emergency_Pa = sentBefore(state, place.emergency_delay_s * steps_per_s, &Sample::emergency_Pa);
+      emergency = emergency_Pa < kChargedPipe_Pa ? 1 : 0;
+      arrived_Pa = std::min(arrived_Pa, emergency_Pa);
+    }
     const double before_Pa = state.pipe_Pa[i];
-    const char emergency = emergency_Pa < kChargedPipe_Pa ? 1 : 0;
     state.pipe_Pa[i] = std::min(arrived_Pa, before_Pa + step_s * place.charging_Pa_per_s);  // (B2)
     changed = changed || state.pipe_Pa[i] != before_Pa || state.emergency[i] != emergency;
     state.emergency[i] = emergency;

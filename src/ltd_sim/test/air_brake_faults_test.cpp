@@ -38,7 +38,8 @@ TEST(AirBrakeFaultsTest, FilesOfConfigAreRead) {
     EXPECT_TRUE(ltd::AirBrake::read(rail::YamlReader(document, problems), fixtures::brakedTrain()).present());
     EXPECT_TRUE(problems.empty()) << joined(problems.lines());
   }
-  for (const std::string name : {"composite_shoes", "cast_iron_shoes", "cast_iron_shoes_co_co"}) {
+  for (const std::string name :
+       {"composite_shoes", "composite_shoes_empty", "cast_iron_shoes", "cast_iron_shoes_co_co"}) {
     rail::Problems problems;
     const rail::Document document = rail::Document::load(brakes + name + ".yaml", {}, problems);
     EXPECT_TRUE(ltd::VehicleBrake::read(rail::YamlReader(document, problems), fixtures::paperLoco()).present());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "brake_fixtures.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -41,19 +42,33 @@ TEST(AirBrakeTest, BrakingRatioOfATenthAndFrictionOf036RetardBy0Point353) {
     mass_kg += rig.train.vehicles[i].mass_kg;
   }
   EXPECT_NEAR(force_N / mass_kg, 0.1 * 0.36 * 9.81, 1e-9);
-  EXPECT_NEAR(force_N / mass_kg, 0.353, 0.5e-3);  // as quoted, three digits
+  rail::verify({"2", "brake ratio 0.10, mu 0.36: retardation of the train", "by hand", "m/s2", 0.353, force_N / mass_kg,
+                0.5e-3, "three digits given"});
 }
 
 TEST(AirBrakeTest, EmergencyReachesTheTailOfA1641MetreTrainAfter6Point564Seconds) {
   BrakeRig rig;
   const double at_s = rig.runUntil(emergencyCommand(), [&] { return rig.pipe(kTail) < 5.0; });
-  EXPECT_NEAR(at_s, 1641.0 / 250.0, 1.01 * kStep_s);  // the first step that ends after it
+  rail::verify({"2", "emergency at 250 m/s: arrives 1641 m away after", "by hand", "s", 1641.0 / 250.0, at_s,
+                1.01 * kStep_s, "one macro step"});
 }
 
 TEST(AirBrakeTest, ServiceWaveHasItsOwnSpeed) {
   BrakeRig rig;
   const double at_s = rig.runUntil(pipeAt(4.5), [&] { return rig.pipe(kTail) < 5.0; });
   EXPECT_NEAR(at_s, 1641.0 / 200.0, 1.01 * kStep_s);
+}
+
+TEST(AirBrakeTest, TheWaveStartsAtTheLeadingLocomotiveAndRunsBothWays) {
+  ltd::TrainModel train = fixtures::brakedTrain();
+  train.locomotives[0].vehicle = 40;
+  BrakeRig rig({}, train);
+  const double metres = 1641.0 / 107.0;
+  EXPECT_NEAR(rig.runUntil(emergencyCommand(), [&] { return rig.pipe(40) < 5.0; }), kStep_s, 1e-9);
+  const double to_head_s = kStep_s + rig.runUntil(emergencyCommand(), [&] { return rig.pipe(0) < 5.0; });
+  EXPECT_NEAR(to_head_s, 40.0 * metres / 250.0, 1.01 * kStep_s);
+  const double to_tail_s = to_head_s + rig.runUntil(emergencyCommand(), [&] { return rig.pipe(kTail) < 5.0; });
+  EXPECT_NEAR(to_tail_s, 67.0 * metres / 250.0, 1.01 * kStep_s);
 }
 
 TEST(AirBrakeTest, TheWaveCarriesTheValvesPressureUnchanged) {
@@ -181,6 +196,18 @@ TEST(AirBrakeTest, RemoteValvesVentFromTheirPlaceAfterTheirDelay) {
   EXPECT_NEAR(middle_s, 1641.0 * 50.0 / 107.0 / 250.0, 1.01 * kStep_s);  // from the head: 3.07 s against 4.50 s
 }
 
+TEST(AirBrakeTest, RemoteValvesRechargeFromTheirPlace) {
+  ltd::TrainModel train = fixtures::brakedTrain();
+  train.notch_groups = {"lead", "remote"};
+  train.locomotives.push_back({kTail, 1, 0, 0.35, "1d", "train"});
+  BrakeText text;
+  text.start = "full_service";
+  text.pipe.replace(text.pipe.find("remote_valves: false"), 20, "remote_valves: true, remote_delay_s: 1.0");
+  BrakeRig rig(text, train);
+  const double at_s = rig.runUntil(pipeAt(5.0), [&] { return rig.pipe(kTail) >= 5.0; });
+  EXPECT_NEAR(at_s, 1.0 + 1.5 / 0.2, 3.0 * kStep_s);  // as at the driver's valve, after the delay
+}
+
 TEST(AirBrakeTest, ACopiedStateGoesOnWithTheSameBits) {
   BrakeRig rig;
   rig.run(pipeAt(3.9), 7.0);
@@ -214,6 +241,24 @@ TEST(AirBrakeTest, ABrakeAtRestWakesWithTheNextCommand) {
   rested.run(pipeAt(3.5), 20.0);
   fresh.run(pipeAt(3.5), 20.0);
   for (std::size_t i = 0; i <= kTail; ++i) EXPECT_EQ(rested.cylinder(i), fresh.cylinder(i)) << i;
+}
+
+TEST(AirBrakeTest, AtRestItStillHearsAnEmergencyThatMovesNothingAtOnce) {
+  BrakeRig rig(fixtures::electronicBrake("0.2"));
+  rig.run(pipeAt(0.0), 60.0);
+  EXPECT_EQ(rig.state.pipe.emergency[kTail], 0);
+  rig.run(emergencyCommand(), 0.3);
+  EXPECT_EQ(rig.state.pipe.emergency[kTail], 1);
+}
+
+TEST(AirBrakeTest, AtRestTheReservoirsMustBeFull) {
+  BrakeText text;
+  text.valve = "{release: direct, first_reduction_bar: 0.4, release_rise_bar: 0.1, reservoir_charging_bar_per_s: 0.01}";
+  BrakeRig rig(text);
+  rig.run(pipeAt(3.5), 60.0);
+  rig.run(pipeAt(5.0), 250.0);  // pipe and cylinders rest after 60 s, the reservoirs after 150 s and the wave
+  rig.run(pipeAt(3.5), 60.0);
+  EXPECT_NEAR(rig.cylinder(kTail), 3.8, 1e-12);
 }
 
 }  // namespace

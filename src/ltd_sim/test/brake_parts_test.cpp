@@ -3,6 +3,7 @@
 #include "brake_fixtures.hpp"
 #include "ltd_sim/shoe_friction.hpp"
 #include "ltd_sim/vehicle_brake.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -19,8 +20,10 @@ double mps(double kmph) { return kmph / rail::kKmphPerMps; }
 
 TEST(ShoeFrictionTest, KarwatzkiOf20KilonewtonsIs0Point302StandingAnd0Point130At50) {
   const ShoeFriction friction = ShoeFriction::karwatzki();
-  EXPECT_NEAR(friction.coefficient(20e3, 0.0), 0.302, 0.5e-3);  // three digits, as quoted
-  EXPECT_NEAR(friction.coefficient(20e3, mps(50.0)), 0.130, 0.5e-3);
+  rail::verify({"2", "Karwatzki, 20 kN a shoe, at rest: mu", "by hand", "", 0.302, friction.coefficient(20e3, 0.0),
+                0.5e-3, "three digits given"});
+  rail::verify({"2", "Karwatzki, 20 kN a shoe, 50 km/h: mu", "by hand", "", 0.130,
+                friction.coefficient(20e3, mps(50.0)), 0.5e-3, "three digits given"});
   EXPECT_EQ(friction.coefficient(20e3, mps(-50.0)), friction.coefficient(20e3, mps(50.0)));
   EXPECT_NEAR(friction.coefficient(0.0, 0.0), 0.6, 1e-12);  // its limit
 }
@@ -100,6 +103,32 @@ TEST(BrakeCylinderTest, AVehiclesOwnCylinderGoesBeforeTheTrains) {
   EXPECT_NEAR(rig.cylinder(3), 2.0, 1e-12);
   EXPECT_NEAR(rig.cylinder(4), 3.8, 1e-12);
   EXPECT_NEAR(rig.force(3), rig.force(4), 1e-6);  // the shoe force is that of the vehicle's full pressure
+}
+
+ltd::Distributor::Parameters graduated() {
+  ltd::Distributor::Parameters p;
+  p.full_reduction_Pa = 1.5e5, p.first_reduction_Pa = 0.4e5, p.full_release_reduction_Pa = 0.15e5;
+  return p;
+}
+
+TEST(DistributorTest, AppliesAtTheFirstReductionAndReleasesAtASmallerOne) {
+  const ltd::Distributor valve(graduated());
+  ltd::Distributor::State state = valve.initialState(5e5);
+  EXPECT_EQ(valve.step(4.61e5, false, 0.002, state), 0.0);
+  EXPECT_NEAR(valve.step(4.59e5, false, 0.002, state), 0.41 / 1.5, 1e-12);
+  EXPECT_NEAR(valve.step(4.80e5, false, 0.002, state), 0.20 / 1.5, 1e-12);
+  EXPECT_EQ(valve.step(4.86e5, false, 0.002, state), 0.0);
+  EXPECT_EQ(valve.step(4.80e5, false, 0.002, state), 0.0);
+}
+
+TEST(DistributorTest, AnEmergencyDoesNotWaitForTheFirstReduction) {
+  for (const bool direct : {false, true}) {
+    ltd::Distributor::Parameters p = graduated();
+    p.direct_release = direct;
+    const ltd::Distributor valve(p);
+    ltd::Distributor::State state = valve.initialState(5e5);
+    EXPECT_NEAR(valve.step(4.85e5, true, 0.002, state), 0.1, 1e-12);
+  }
 }
 
 }  // namespace

@@ -163,6 +163,17 @@ void expectFault(const std::string& groups, const std::vector<std::string>& part
   EXPECT_TRUE(fixtures::anyHas(faults, parts)) << fixtures::joined(faults);
 }
 
+TEST(TrainModelTest, BrakesAreThoseOfEachVehicleAndMayBeLeftOut) {
+  std::string braked = wagons(1);
+  const std::string brake =
+      ", brake: {name: b, shoes: 8, brake_ratio: 0.1, rigging_efficiency: 1, friction: {law: constant, mu: 0.36}}}}";
+  braked.replace(braked.size() - 2, 2, brake);
+  const TrainModel train = read(locos(1, "lead") + ", {repeat: 2, groups: [" + wagons(1) + "," + braked + "]}");
+  ASSERT_EQ(train.brakes.size(), train.vehicles.size());
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(train.brakes[i].present(), i == 2 || i == 4) << i;
+  EXPECT_NEAR(train.brakes[4].shoe_force_N, 0.1 * 120e3 * 9.81, 1e-6);
+}
+
 TEST(TrainModelTest, RefusesTrainsThatCannotBe) {
   expectFault("", {"train.groups", "at least one group"});
   expectFault(wagons(3), {"train.groups", "at least one locomotive"});

@@ -42,10 +42,11 @@ class BrakePipe {
     };
     std::vector<Sample> history;  ///< sized in the first step, whose length holds for all
     std::size_t newest = 0;       ///< index in history
+    std::size_t steps_since_emergency = 0;
   };
 
   BrakePipe() = default;
-  /// @param place_m   of each vehicle, backwards from the leading one
+  /// @param place_m   of each vehicle, backwards from the driver's valve; < 0 before it
   /// @param remote_m  places of the remote valves
   BrakePipe(const Parameters& parameters, const std::vector<double>& place_m, const std::vector<double>& remote_m);
 

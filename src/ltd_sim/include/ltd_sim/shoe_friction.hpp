@@ -9,7 +9,7 @@ namespace ltd {
 ///   constant   mu
 ///   karwatzki  mu = 0.6 (16 F/g + 100)/(80 F/g + 100) (V + 100)/(5 V + 100), cast iron; F in kN on one shoe, V in km/h
 ///   table      mu over V, linear between the points, constant beyond both ends
-/// Source of (B7): Karwatzki's formula as in Wende, Fahrdynamik des Schienenverkehrs (2003). Not modelled: heat, water.
+/// (B7) is Karwatzki's formula, from tests. Not modelled: heat, water, the shoe's wear.
 class ShoeFriction {
  public:
   static ShoeFriction constant(double mu);
