@@ -47,10 +47,9 @@ ltd::Scenario trip(const std::string& driver, const rail::Track& track, double s
 
 TEST(BrakingEnergyTest, AccountClosesFromTractionThroughDynamicBrakeToStandstill) {
   const std::string driver = "over: time\nnotches: [[0, 8], [40, 0]]\nbrake_notches: [[40, 8]]\npipe_bar: [[60, 3.5]]";
-  const std::string grades = "{from_km: 0, grade_permille: -4}, {from_km: 3.4, grade_permille: 6}";
   std::string supply = fixtures::changed(batteryText(), "capacity_J: 1.0e7", "capacity_J: 1.0e9");
   supply = fixtures::changed(supply, "discharge_power_W: 5.0e5", "discharge_power_W: 2.0e7");
-  const ltd::Scenario scenario = trip(driver, fixtures::makeTrack(grades), 200.0, supply);
+  const ltd::Scenario scenario = trip(driver, fixtures::uniformGrade(-4.0), 200.0, supply);
   const ltd::TrainState end = fixtures::run(scenario).state;
   const rail::EnergyAccount& a = end.account;
   EXPECT_GT(a.traction_rail, 20e6);
