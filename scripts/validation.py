@@ -29,6 +29,8 @@ TITLES = {
     10: "Steady curving, Klingel",
     11: "Contact geometry",
     12: "Hunting",
+    13: "Rails that lie off",
+    14: "Brakes",
 }
 
 

@@ -32,6 +32,29 @@ void placeContact(const WheelsetMotion& motion, double wheel_radius_m, WheelsetC
   c.frame_mps = {-turning * c.region.p_T.y(), turning * r.x() * cos};
 }
 
+WheelsetPose seenFrom(const rail::RailOffset& rail, const WheelsetPose& pose) {
+  return {pose.y_m - rail.y_m, pose.z_m - rail.z_m, pose.roll_rad, pose.yaw_rad - rail.y_slope};
+}
+
+/// A region as seen from its rail, in T. The lead of its yaw against the rail is right already, not so the place that
+/// the wheel has from its own yaw.                                                                          (W6)
+void moveWithRail(const rail::RailOffset& rail, double axle_y_m, ContactRegion& region) {
+  region.p_T.y() += rail.y_m;
+  region.p_T.z() += rail.z_m;
+  region.p_T.x() += region.rolling_radius_m * rail.z_slope - rail.y_slope * (region.p_T.y() - axle_y_m);
+}
+
+void turnWithRail(const rail::RailOffset& rail, const WheelsetMotion& motion, double wheel_radius_m,
+                  WheelsetContact::Contact& c) {
+  const double sin = std::sin(c.region.angle_rad), cos = std::cos(c.region.angle_rad);
+  const Vector3d r = c.region.p_T - Vector3d(0.0, motion.q[kY], wheel_radius_m + motion.q[kZ]);
+  const Vector3d axle(-motion.q[kYaw], 1.0, motion.q[kRoll]);
+  c.J_n = row({rail.y_slope * sin - rail.z_slope * cos, -sin, cos}, r, axle);  // (W6)
+  c.J_n[kPitch] = 0.0;
+  c.J_x = row({1.0, rail.y_slope, rail.z_slope}, r, axle);
+  c.J_t = row({-rail.y_slope * cos - rail.z_slope * sin, cos, sin}, r, axle);
+}
+
 /// Rows of J along the slip and across it.
 Vector6 alongSlip(const WheelsetContact::Contact& c) { return c.along.x() * c.J_x + c.along.y() * c.J_t; }
 Vector6 acrossSlip(const WheelsetContact::Contact& c) { return c.along.x() * c.J_t - c.along.y() * c.J_x; }
@@ -52,11 +75,27 @@ double relativeSlope(double x) {
   return 0.75 * (2.0 * s0 * (1.0 - s0 * s0 / 3.0) - H * (t0 + s0 * c0) + 0.5 * H * H * s0);
 }
 
+/// Torque of the shoes, which stops the turning if it can, against forces on the straight lines of (W5).     (B2)
+/// @param change  of velocity in the step without shoes; becomes that with them
+template <typename Solver>
+double addShoeTorque(const Solver& solver, const WheelsetContact::Shoes& shoes, Vector6& change) {
+  const Vector6 per_torque = solver.solve(Vector6::Unit(kPitch));
+  const double stopping_N_m = (shoes.turning_radps + change[kPitch]) / per_torque[kPitch];
+  const double torque_N_m = computeHoldingForce(stopping_N_m, shoes.largest_N_m);
+  change += per_torque * torque_N_m;
+  return torque_N_m;
+}
+
 }  // namespace
 
 Vector3d WheelsetContact::Contact::force_N() const {
   const double sin = std::sin(region.angle_rad), cos = std::cos(region.angle_rad);
-  return {creep_N.x(), cos * creep_N.y() - sin * normal_N, sin * creep_N.y() + cos * normal_N};
+  return {alongTrack_N(), cos * creep_N.y() - sin * normal_N + creep_N.x() * J_x[kY],
+          sin * creep_N.y() + cos * normal_N + creep_N.x() * J_x[kZ]};
+}
+
+double WheelsetContact::Contact::alongTrack_N() const {
+  return creep_N.x() + J_t[kX] * creep_N.y() + J_n[kX] * normal_N;  // the others are 0 on rails as designed
 }
 
 WheelsetContact::WheelsetContact(const Parameters& parameters, const RailConditions& rail,
@@ -70,12 +109,15 @@ void WheelsetContact::compute(const WheelsetMotion& motion, Contacts& out) const
   out.count = 0;
   std::array<ContactRegion, kMostContacts> regions;
   for (const Side side : {Side::kLeft, Side::kRight}) {
-    const std::size_t found = finder_->find(side, pose, regions);
+    const rail::RailOffset& rail = side == Side::kLeft ? motion.rails.left : motion.rails.right;
+    const std::size_t found = finder_->find(side, motion.irregular ? seenFrom(rail, pose) : pose, regions);
     Contact* const first = &out.list[out.count];
     for (std::size_t i = 0; i < found; ++i) {
       first[i].side = side;
       first[i].region = regions[i];
+      if (motion.irregular) moveWithRail(rail, motion.q[kY], first[i].region);
       placeContact(motion, parameters_.wheel_radius_m, first[i]);
+      if (motion.irregular) turnWithRail(rail, motion, parameters_.wheel_radius_m, first[i]);
     }
     computeNormalForces(motion.v, first, found);
     for (std::size_t i = 0; i < found; ++i) computeCreep(motion, law, first[i]);
@@ -89,7 +131,6 @@ void WheelsetContact::computeNormalForces(const Vector6& v, Contact* first, std:
   for (Contact* c = first; c != first + count; ++c) {
     const double delta = c->region.approach_m;
     c->elastic_N = c->region.share * hertz_.at(c->region.curvature).stiffness * delta * std::sqrt(delta);
-    c->stored_J = 0.4 * c->elastic_N * delta;
     sum_N += c->elastic_N;
   }
   for (Contact* c = first; c != first + count; ++c) {
@@ -144,16 +185,8 @@ double WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& co
   }
   const auto solver = system.selfadjointView<Eigen::Lower>().llt();
   Vector6 change = solver.solve(load);  // v_n+1 - v_n
-  double shoe_N_m = 0.0;
-  if (shoes.largest_N_m > 0.0) {
-    Vector6 torque = Vector6::Zero();
-    torque[kPitch] = 1.0;
-    const Vector6 per_torque = solver.solve(torque);
-    shoe_N_m =
-        computeHoldingForce((shoes.turning_radps + change[kPitch]) / per_torque[kPitch], shoes.largest_N_m);  // (K1)
-    load[kPitch] += shoe_N_m;
-    change += per_torque * shoe_N_m;
-  }
+  const double shoe_N_m = shoes.largest_N_m > 0.0 ? addShoeTorque(solver, shoes, change) : 0.0;
+  load[kPitch] += shoe_N_m;
   for (std::size_t i = 0; i < contacts.count; ++i) {
     Contact& c = contacts.list[i];
     const double along_N = -c.slope_N_s_per_m.x() * alongSlip(c).dot(change);  // (W5)

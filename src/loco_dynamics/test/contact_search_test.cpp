@@ -109,6 +109,21 @@ double touchdown(const loco::ContactSearch& search, double y_m, double yaw_rad) 
   return low_m - 1e-6;
 }
 
+/// Just touching, there is next to nothing to sum up.
+TEST(ContactSearchTest, ContactsBeginWithNumbers) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const loco::ContactSearch search = searchOf("S1002");
+  for (int i = 0; i < 200; ++i) {
+    const double y_m = 8e-3 * unit(random), yaw_rad = 0.01 * unit(random), touching_m = touchdown(search, y_m, yaw_rad);
+    for (const double above_m : {1e-6 - 1e-10, 1e-6 - 1e-12, 1e-6}) {  // 0.1 nm deep, less, 0
+      const NormalForces forces = normalForces(search, Side::kLeft, {y_m, touching_m + above_m, 0.0, yaw_rad});
+      EXPECT_TRUE(std::isfinite(forces.z_N));
+      EXPECT_LT(std::abs(forces.z_N), 1e-3);
+    }
+  }
+}
+
 /// x_c = r tan(gamma) psi on top of the wheel's own way forward.
 TEST(ContactSearchTest, YawMovesTheContactAheadOfTheAxle) {
   const loco::ContactSearch search = searchOf("S1002");

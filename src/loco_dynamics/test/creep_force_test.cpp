@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "creep_force_table.hpp"
+#include "loco_dynamics/contact/hertz.hpp"
 
 namespace {
 
@@ -71,6 +72,31 @@ TEST(CreepForceTest, BadRowsAreNamedWithTheirLineAndTheOthersComputed) {
   EXPECT_EQ(answer.output, kHeader + ",Fx_N,Fy_N\n" + kSlide + "0.1,0,0,-35000,0\n" + kSlide + "-0.1,0,0,35000,0\n");
 }
 
+TEST(CreepForceTest, FaultsAreToldInTheOrderOfTheirLines) {
+  const Answer answer = run(
+      {}, kHeader + "\n" + kSlide + "101,0,0\n" + kSlide + "zero,0,0\n" + kSlide + "0,0,-101\n" + kSlide + "0.1,0\n");
+  EXPECT_EQ(
+      answer.errors,
+      "standard input: line 2: creep_x = 101: must be >= -100 and <= 100\n"
+      "standard input: line 2: creep_x = 101: a ratio, 0.07 for 7 %: over V_mps it is a slip of 1010 m/s, must be "
+      "<= 60\n"
+      "standard input: line 3: creep_x = zero: must be a number\n"
+      "standard input: line 4: spin_rad_per_m = -101: must be >= -100 and <= 100\n"
+      "standard input: line 5: has 12 cells, the header names 13\n");
+}
+
+TEST(CreepForceTest, APercentageIsNoCreepageButARacingWheelHasOneBeyond1) {
+  const Answer percent = run({}, kHeader + "\n" + kSlide + "7,0,0\n" + kSlide + "0,-7,0\n");
+  EXPECT_EQ(
+      percent.errors,
+      "standard input: line 2: creep_x = 7: a ratio, 0.07 for 7 %: over V_mps it is a slip of 70 m/s, must be <= "
+      "60\nstandard input: line 3: creep_y = -7: a ratio, 0.07 for 7 %: over V_mps it is a slip of 70 m/s, must be "
+      "<= 60\n");
+  const Answer racing = run({}, kHeader + "\n6,4,100000,0.5,0.35,1,0,1,1,0,70,0,0\n");
+  EXPECT_EQ(racing.status, 0) << racing.errors;
+  EXPECT_EQ(forcesAt(racing.output, 2).first, -35000.0);
+}
+
 TEST(CreepForceTest, EveryRangeIsChecked) {
   for (const char* bad :
        {"0,4,1e5,10,.35,1,0,1,1,0", "6,0,1e5,10,.35,1,0,1,1,0", "6,4,-1,10,.35,1,0,1,1,0", "6,4,1e5,-1,.35,1,0,1,1,0",
@@ -110,6 +136,20 @@ TEST(CreepForceTest, ShearModulusAndPoissonsRatioMatterWhereGiven) {
   const Answer soft = run({"--method", "closed"}, kHeader + ",G_GPa,nu\n" + case_row + ",41,0.28\n");
   EXPECT_EQ(forcesAt(same.output, 2).first, steel);
   EXPECT_NEAR(forcesAt(soft.output, 2).first, 0.5 * steel, 0.002 * -steel);  // a little less saturated
+}
+
+TEST(CreepForceTest, AnEllipseMayComeFromCurvaturesAndLoad) {
+  const loco::HertzContact hertz({1.9, 1.1}, {200e9, 0.28});
+  const auto [a_m, b_m] = hertz.computeEllipse(100e3);
+  std::ostringstream given;
+  given.precision(17);
+  given << kHeader << "\n" << 1e3 * a_m << ',' << 1e3 * b_m << ",100000,10,0.35,1,0,1,1,0,0.001,0,0\n";
+  const std::string rest = kHeader.substr(std::string("a_mm,b_mm").size());
+  const Answer curved = run({}, "curvature_along_1pm,curvature_across_1pm" + rest +
+                                    ",E_GPa\n1.9,1.1,100000,10,0.35,1,0,1,1,0,0.001,0,0,200\n");
+  EXPECT_EQ(curved.status, 0) << curved.errors;
+  EXPECT_NEAR(forcesAt(curved.output, 2).first, forcesAt(run({}, given.str()).output, 2).first, 1e-5);
+  EXPECT_EQ(run({}, "a_mm,curvature_along_1pm" + rest + "\n").status, 2);
 }
 
 TEST(CreepForceTest, SignsAreContacts) {

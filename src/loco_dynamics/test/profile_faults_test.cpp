@@ -54,8 +54,8 @@ TEST(ProfileFaultsTest, MirroredFlangeIsRefused) {
   EXPECT_TRUE(has(faults(ProfileKind::kWheel, mirrored), ": mirrored: the flange (tip at z = "));
 }
 
-TEST(ProfileFaultsTest, MetresAndInchesAreRefused) {
-  for (const double factor : {1e-3, 1.0 / 25.4}) {
+TEST(ProfileFaultsTest, MetresCentimetresAndInchesAreRefused) {
+  for (const double factor : {1e-3, 0.1, 1.0 / 25.4}) {
     const auto scale = [factor](auto& point) { point = {factor * point.y_m, factor * point.z_m}; };
     EXPECT_TRUE(has(faults(ProfileKind::kWheel, changed(wheel(), scale)), "are these millimetres?")) << factor;
     EXPECT_TRUE(
@@ -175,7 +175,9 @@ TEST_F(ProfileConfigTest, BadFilesAreNamed) {
 TEST_F(ProfileConfigTest, WheelsetsThatDoNotFitTheTrackAreRefused) {
   const std::string pair = "{wheel: S1002, rail: UIC60, inclination: 40, ";
   read(pair + "gauge_mm: 1424, flange_back_mm: 1360}\n");
-  EXPECT_TRUE(has(lines(), "gauge_mm = 1424: gauge too narrow for the wheelset: its flanges are 1425.0 mm apart"))
+  EXPECT_TRUE(has(lines(),
+                  "gauge_mm = 1424: gauge too narrow for the wheelset: its flanges are 1425.0 mm apart outside, 10 mm "
+                  "below the taping line, with flange_back_mm = 1360.0"))
       << lines();
   read(pair + "gauge_mm: 1600, flange_back_mm: 1360}\n");
   EXPECT_TRUE(has(lines(), "gauge too wide for the wheelset")) << lines();

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "contact_fixtures.hpp"
+#include "loco_dynamics/profile/patch_pressure.hpp"
 #include "loco_dynamics/profile/standing_wheelset.hpp"
 #include "profile_fixtures.hpp"
 #include "rail_core/testing/verification.hpp"
@@ -73,6 +74,11 @@ TEST(ProfileReferenceTest, LoadedPatchesOfS1002OnUic60) {
     };
     const double FN_N = numberAt(row, "FN_N"), area_mm2 = numberAt(row, "area_mm2");
     const double aspect_ref = numberAt(row, "a_area_mm") / numberAt(row, "b_area_mm");
+    const double p_max_MPa =
+        1e-6 *
+        loco::computePatchPressure(s1002(), standing, row.at("wheel") == "left" ? Side::kLeft : Side::kRight, 0, {});
+    const double pmax_ref = numberAt(row, "pmax_MPa");
+    check("largest pressure", "MPa", pmax_ref, p_max_MPa - pmax_ref, 0.015 * pmax_ref, 0.025 * pmax_ref);
     check("normal force", "N", FN_N, 0.01 * normal * FN_N, 1e-3 * FN_N, 0.015 * FN_N);
     check("area", "mm2", area_mm2, 0.01 * area * area_mm2, 0.03 * area_mm2, 0.05 * area_mm2);
     check("a/b", "1", aspect_ref, 0.01 * aspect * aspect_ref, 0.05 * aspect_ref, 0.05 * aspect_ref);

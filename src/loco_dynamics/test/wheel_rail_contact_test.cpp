@@ -80,6 +80,23 @@ TEST(WheelRailContactTest, RowsAreInOrderAndDisplacementIsToTheRight) {
   EXPECT_GT(radius(lines[4]), radius(lines[3]) + 1.0);  // the right wheel runs towards its flange
 }
 
+/// Over all places, light and heavy: a number, and not below what the patch's own share of the load makes of its
+/// ellipse.
+TEST(WheelRailContactTest, PressuresAreThoseOfTheShape) {
+  for (const std::string load : {"100", "109500"}) {
+    const auto lines = linesOf(run({"--load", load, "--lateral", "0,0.5,1,1.5,2,3,4,4.5,5,5.1,5.2,5.5,6,7"}).output);
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      std::istringstream cells(lines[i].substr(lines[i].find(',') + 1));
+      std::vector<double> value;
+      for (std::string cell; std::getline(cells, cell, ',');) value.push_back(std::stod(cell));
+      ASSERT_EQ(value.size(), 12u);
+      const double ellipse_MPa = 1.5 * value[7] / value[10];
+      EXPECT_GT(value[11], 0.9 * ellipse_MPa) << lines[i];
+      EXPECT_LT(value[11], 5000.0) << lines[i];  // twice the flange's in CONTACT's cases
+    }
+  }
+}
+
 TEST(WheelRailContactTest, DisplacementsThatDoNotStandAreNamedAndTheOthersComputed) {
   const Answer answer = run({"--load", "109500", "--lateral", "2,-50"});
   EXPECT_EQ(answer.status, 2);

@@ -30,10 +30,15 @@ Track Track::read(YamlReader reader) {
   Track track;
   track.name_ = reader.text("name");
   const TrackProfile profile = reader.has("table") ? readTrackTable(reader) : readTrackLists(reader);
+  const std::string irregularity = reader.has("irregularity") ? reader.text("irregularity") : "";
   reader.finish();
   const bool complete =
       !profile.grade.empty() && !profile.speed_limit.empty();  // not so if an included file is missing
   if (complete && reader.problems().count() == before) track.build(profile);
+  if (complete && !irregularity.empty()) {
+    track.irregularity_ = TrackIrregularity::read(irregularity, reader.file("irregularity"), profile.start_m,
+                                                  profile.end_m, reader.problems());
+  }
   return track;
 }
 

@@ -138,7 +138,7 @@ TEST(TrackFaultsTest, TableNeedsItsColumnsAndWhatLiesBetweenRows) {
              "track.yaml: line 1: column 'grade_permille' is missing",
              "track.yaml: line 1: column 'radius_m' is missing", "track.yaml: line 1: column 'cant_mm' is missing",
              "track.yaml: line 1: column 'speed_limit_kmph' is missing",
-             "track.yaml: start_km = 0: unknown key, known here: name, table, between_rows"}));
+             "track.yaml: start_km = 0: unknown key, known here: name, table, between_rows, irregularity"}));
 }
 
 TEST(TrackFaultsTest, FaultyTrackCanStillBeCalled) {

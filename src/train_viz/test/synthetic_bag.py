@@ -8,6 +8,8 @@ from typing import Dict, Optional, Sequence
 import genpy
 import numpy as np
 import rosbag
+from geometry_msgs.msg import TransformStamped
+from tf2_msgs.msg import TFMessage
 from train_msgs.msg import Adhesion, AxleAdhesion, ContactAdhesion, RunConfiguration, TrainEnergy, TrainState
 
 PERIOD_S = 0.02  # telemetry at 50 Hz of simulation time
@@ -105,6 +107,18 @@ def add_contacts(m: Adhesion, i: int) -> None:
                                            lateral_force=-2e3, creep_y=0.01)] * count
 
 
+def poses_message(i: int, stamp: genpy.Time, locomotive: int) -> TFMessage:
+    """As on straight track: every wheelset 1 mm farther to the left than the one ahead of it, the first one at i um."""
+    message = TFMessage()
+    for number in range(1, AXLES + 1):
+        pose = TransformStamped(child_frame_id=f'loco_{locomotive}/wheelset_{number}')
+        pose.header.frame_id, pose.header.stamp = f'loco_{locomotive}/base_link', stamp
+        place = pose.transform.translation
+        place.x, place.y, place.z = 10.0 - 3.0 * number, 1e-6 * i + 1e-3 * (number - 1), WHEEL_RADIUS_M
+        message.transforms.append(pose)
+    return message
+
+
 def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: int) -> TrainEnergy:
     m = TrainEnergy()
     m.loco_energy_rail, m.loco_energy_rim = [rows['work'][i]] * locos, [rows['rim'][i]] * locos
@@ -124,7 +138,7 @@ def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: in
     """Writes a bag and returns what it holds: simulate()'s columns, the coupler forces and the axles' columns.
 
     @param with_wheels locomotives, from 1, that have an adhesion topic
-    @param contacts    they tell of contacts, as the model 3d does
+    @param contacts    they tell of contacts, as the model 3d does, and every tenth row has the first one's wheelsets on /tf
     """
     rows = simulate(locos, wagons, period_s=period_s, **simulation)
     axles = axle_columns(rows)
@@ -142,6 +156,8 @@ def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: in
             messages += [(f'/loco_{n}/adhesion', adhesion_message(rows, axles, i, n)) for n in with_wheels]
             for _, message in messages[2:] if contacts else ():
                 add_contacts(message, i)
+            if contacts and i % 10 == 0:
+                bag.write('/tf', poses_message(i, stamp, with_wheels[0]), stamp)
             for topic, message in messages:
                 message.header.stamp = stamp
                 bag.write(topic, message, stamp)

@@ -10,6 +10,7 @@ from matplotlib import pyplot as plt
 
 from synthetic_bag import AXLES, write_bag
 from train_viz.bag_reader import read_bag
+from train_viz.displacement_figure import draw_wheelset_displacement
 from train_viz.guiding_figures import bogies, draw_guiding_forces, draw_wheel_contacts
 
 
@@ -62,6 +63,24 @@ class GuidingFiguresTest(unittest.TestCase):
         self.assertEqual([label.get_text() for label in figure.axes[2].get_yticklabels()],
                          ['1 left', '1 right', '2 left', '2 right', '3 left', '3 right'])
         self.assertEqual(legend_texts(figure)[-2:], ['no contact', 'two contacts'])
+
+    def test_wheelsets_are_drawn_at_their_own_places_in_mm_to_the_left(self):
+        figure = draw_wheelset_displacement(self.run_3d)
+        wheels = self.run_3d.adhesion
+        place_m = np.interp(wheels.wheelsets.time_s, wheels.time_s, wheels.location_m)
+        np.testing.assert_allclose(wheels.wheelsets.time_s, wheels.time_s[::10], atol=1e-9)
+        for bogie, axes in enumerate(figure.axes):
+            lines = [line for line in axes.get_lines() if len(line.get_xdata()) > 2]
+            self.assertEqual([line.get_label() for line in lines], [f'wheelset {3 * bogie + i}' for i in (1, 2, 3)])
+            straight = place_m < 3280.0  # the bag's poses are those of straight track
+            self.assertGreater(straight.sum(), 100)
+            for i, line in enumerate(lines):
+                axle = 3 * bogie + i
+                np.testing.assert_allclose(line.get_xdata(), (place_m + 7.0 - 3.0 * axle) / 1e3, rtol=1e-12)
+                np.testing.assert_allclose(line.get_ydata()[straight], (1e-2 * np.arange(len(place_m)) + axle)[straight],
+                                           rtol=1e-9, atol=1e-9)
+            self.assertEqual(axes.get_ylabel(), 'to the left [mm]')
+        self.assertIn('to the right < 0', figure.legends[0].get_title().get_text())
 
     def test_six_axles_are_two_bogies(self):
         self.assertEqual([list(axles) for axles in bogies(self.run_3d.adhesion)], [[0, 1, 2], [3, 4, 5]])

@@ -18,14 +18,13 @@ struct TrackFrame {
   double roll_slope_1pm = 0.0;  ///< d(roll)/ds
   double rise_m = 0.0;          ///< of the origin over the uncanted track
   double rise_slope = 0.0;
+  bool irregular = false;   ///< a wheelset's: the rails below it may lie elsewhere
+  rail::RailOffsets rails;  ///< then: where, in this frame; the frame itself follows the designed track
 };
 
 /// The track frames of all bodies of a locomotive. Copyable.
 class TrackFrames {
  public:
-  static constexpr double kCantWindow_m = 3.0;    ///< chosen: shorter run-offs would hide an impulse
-  static constexpr double kRailDistance_m = 1.5;  ///< between the rails' contacts, over which cant is measured
-
   TrackFrames(const BodyLayout& layout, const rail::Track* track);
 
   /// Places the frames at the bodies' arc lengths. @param q  see BodyState: s = q.x + nominal place

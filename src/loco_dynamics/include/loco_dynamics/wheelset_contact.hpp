@@ -8,17 +8,20 @@
 #include "loco_dynamics/contact/hertz_table.hpp"
 #include "loco_dynamics/contact/rail_conditions.hpp"
 #include "loco_dynamics/contact_finder.hpp"
+#include "rail_core/track_irregularity.hpp"
 
 namespace loco {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Up to three contacts of one wheel.
+/// How a wheelset moves, and where.
 struct WheelsetMotion {
   Vector6 q;                   ///< position in the wheelset's track frame
   Vector6 v;                   ///< velocity there; the pitch's is the spin omega
   double curvature_1pm = 0.0;  ///< of the track
   double location_m = 0.0;     ///< chainage: decides on the rail's condition
+  bool irregular = false;      ///< the rails may lie elsewhere than designed:
+  rail::RailOffsets rails;     ///< where, in the track frame
   bool sanding = false;        ///< sand is laid before the wheels
 };
 
@@ -31,6 +34,10 @@ struct WheelsetMotion {
 ///   N_i = max(0, s_i K_i delta_i^1.5 - c (N_i/sum N) J_n v), c shared in proportion to the elastic forces  (W2)
 ///   creepages: slip over max(|v|, 0.5 m/s); spin = (J_roll - omega psi, omega, psi' + v kappa + omega phi) n  (W3)
 ///   generalised forces on the wheelset: J_d transposed times the force along d                         (W4)
+/// On rails that lie off by (Y, Z) with slopes Y', Z' the finder sees the wheelset from the rail, at y - Y, z - Z with
+/// the yaw psi - Y', and the contact's directions turn with the rail:                                            (W6)
+///   x = (1, Y', Z'),  n = (Y' sin gamma - Z' cos gamma, -sin gamma, cos gamma),
+///   t = (-Y' cos gamma - Z' sin gamma, cos gamma, sin gamma),   lead r_x + r Z'
 /// The creep forces are linearly implicit in all six velocities of the wheelset: F = F_0 - S J (v_n+1 - v_n), S along
 /// the slip the slope of the closed form, across it min(k G a b C/V, mu N/slip); where S is not the law's own slope
 /// (spin, falling friction) the difference is of the order of the step. No more than mu N a contact.       (W5)
@@ -53,7 +60,6 @@ class WheelsetContact {
     ContactRegion region;
     double a_m = 0.0, b_m = 0.0;
     double normal_N = 0.0, elastic_N = 0.0;  ///< with and without damping
-    double stored_J = 0.0;
     Creepage creepage;
     double friction = 0.0;
     Eigen::Vector2d slip_mps = Eigen::Vector2d::Zero();         ///< along x, t
@@ -63,6 +69,7 @@ class WheelsetContact {
     Eigen::Vector2d slope_N_s_per_m = Eigen::Vector2d::Zero();  ///< of the force over slip, along and across the slip
     Vector6 J_n = Vector6::Zero(), J_x = Vector6::Zero(), J_t = Vector6::Zero();  ///< (W1)
     Eigen::Vector3d force_N() const;                                              ///< in T
+    double alongTrack_N() const;                                                  ///< its part along x of T
   };
   struct Contacts {
     std::array<Contact, 2 * kMostContacts> list;
@@ -78,7 +85,7 @@ class WheelsetContact {
     double largest_N_m = 0.0;    ///< torque that they can take, >= 0
     double turning_radps = 0.0;  ///< of the wheelset against the frame that carries them
   };
-  /// Makes the creep forces implicit (W5) and adds all forces to the loads, with them those of the shoes (K1).
+  /// Makes the creep forces implicit (W5) and adds all forces to the loads, with them those of the shoes (B2).
   /// @param inertia  of the wheelset: masses and moments of inertia
   /// @return torque of the shoes on the wheelset [N m]
   static double addForces(const Vector6& inertia, double h, Contacts& contacts, Vector6& load, const Shoes& shoes);

@@ -10,7 +10,9 @@ namespace loco {
 namespace {
 
 constexpr double kNodeDistance_m = 1.5e-3;  // along the surface; chosen: a tenth of the smallest radius, 12 mm
-constexpr double kBeside_m = 2e-3;          // the search ends this far outside the rail's head
+// Less overlap is no contact. Chosen: 1e-7 N, and more than rounding, which could leave nothing to sum up.
+constexpr double kLeast_m = 1e-12;
+constexpr double kBeside_m = 2e-3;  // the search ends this far outside the rail's head
 
 /// Peaks of the overlap from values at the nodes, met in rising s.
 class PeakFinder {
@@ -22,28 +24,25 @@ class PeakFinder {
       if (before_.tilt > 0.0 && here.tilt <= 0.0) meetPeak(s_m, here);
       if (before_.tilt <= 0.0 && here.tilt > 0.0) meetValley(s_m, here);
     }
-    if (open_ && here.depth_m <= 0.0) close(s_m, here);
-    if (!has_before_ || (!open_ && here.depth_m <= 0.0)) left_ = {s_m, here};
+    if (open_ && here.depth_m <= 0.0) close({s_m, here.overlap_m()});
+    if (!has_before_ || (!open_ && here.depth_m <= 0.0)) left_ = {s_m, here.overlap_m()};
     before_s_m_ = s_m;
     before_ = here;
     has_before_ = true;
   }
+  /// What lies between the last place met and the next one does not touch.
+  void skip() { has_before_ = false; }
   const OverlapPeaks& finish() {
-    if (open_) close(before_s_m_, before_);
+    if (open_) close({before_s_m_, before_.overlap_m()});
     return peaks_;
   }
 
  private:
-  struct End {
-    double s_m;
-    Overlap::Value value;
-  };
   void meetPeak(double s_m, const Overlap::Value& here) {
     if (peaks_.count == kMostPeaks || cannotTouch(s_m, here)) return;
-    const double at_m = findFlatPlace(overlap_, before_s_m_, before_.tilt, s_m, here.tilt);
-    const double overlap_m = overlap_.at(at_m).overlap_m();
-    if (overlap_m <= 0.0) return;
-    peaks_.peak[peaks_.count] = {at_m, overlap_m, left_.s_m, 0.0, left_.value.overlap_m(), 0.0};
+    const FlatPlace top = findFlatPlace(overlap_, before_s_m_, before_.tilt, s_m, here.tilt);
+    if (top.overlap_m <= kLeast_m) return;
+    peaks_.peak[peaks_.count] = {top.s_m, top.overlap_m, left_.s_m, 0.0, left_.overlap_m, 0.0};
     open_ = true;
   }
   /// True if a peak between the last two nodes stays below zero by far: it lies under both ends' tangents, and twice
@@ -55,15 +54,14 @@ class PeakFinder {
   }
   void meetValley(double s_m, const Overlap::Value& here) {
     if (!open_) return;
-    const double at_m = findFlatPlace(overlap_, before_s_m_, before_.tilt, s_m, here.tilt);
-    close(at_m, overlap_.at(at_m));
+    close(findFlatPlace(overlap_, before_s_m_, before_.tilt, s_m, here.tilt));
   }
-  void close(double s_m, const Overlap::Value& here) {
-    peaks_.peak[peaks_.count].right_m = s_m;
-    peaks_.peak[peaks_.count].right_e_m = here.overlap_m();
+  void close(const FlatPlace& end) {
+    peaks_.peak[peaks_.count].right_m = end.s_m;
+    peaks_.peak[peaks_.count].right_e_m = end.overlap_m;
     ++peaks_.count;
     open_ = false;
-    left_ = {s_m, here};
+    left_ = end;
   }
 
   const Overlap& overlap_;
@@ -72,7 +70,7 @@ class PeakFinder {
   double before_s_m_ = 0.0;
   bool has_before_ = false;
   bool open_ = false;  ///< the last peak's stretch has no right end yet
-  End left_{};         ///< where the next peak's stretch begins
+  FlatPlace left_{};   ///< where the next peak's stretch begins
 };
 
 template <std::size_t N>
@@ -125,6 +123,13 @@ ContactSearch::ContactSearch(const WheelRailGeometry& geometry) : geometry_(geom
     s_m += kNodeDistance_m / std::sqrt(1.0 + value.slope * value.slope);
   }
   add(wheel.end_m());
+
+  std::vector<ReachTable::Stretch> stretches;  // from the node before each block to the node behind it
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    stretches.push_back({i > 0 ? blocks_[i - 1].s_m.back() : wheel.begin_m(),
+                         i + 1 < blocks_.size() ? blocks_[i + 1].s_m.front() : wheel.end_m()});
+  }
+  reach_ = ReachTable(geometry_, stretches);
 }
 
 std::size_t ContactSearch::find(Side side, const WheelsetPose& pose,
@@ -139,9 +144,15 @@ std::size_t ContactSearch::find(Side side, const WheelsetPose& pose,
   const double last_m = geometry_.railTop_m() + geometry_.rail().end_m() + kBeside_m - shift_m;
   PeakFinder finder(overlap);
   Values<kBlock> values;
-  for (const Block& block : blocks_) {
+  const ReachTable::Reach reach = reach_.reachOf(left_pose, geometry_);
+  for (std::size_t at = 0; at < blocks_.size(); ++at) {
+    const Block& block = blocks_[at];
     if (block.s_m.back() < first_m) continue;
     if (block.s_m.front() > last_m) break;
+    if (!reach_.mayTouch(at, reach)) {
+      finder.skip();
+      continue;
+    }
     computeValues(overlap, block, values);
     for (std::size_t i = 0; i < kBlock; ++i)
       if (block.s_m[i] >= first_m && block.s_m[i] <= last_m) finder.meet(block.s_m[i], values[i]);

@@ -59,6 +59,15 @@ class Overlap {
     const HeightTable::Value rail = geometry_.rail().at(locus.y_m - geometry_.railTop_m());
     return makeValue(locus.d_m - rail.z_m, locus.y_slope, locus.d_slope, rail.slope, rail.slope_1pm);
   }
+  /// @param tilt_slope  becomes about d(tilt)/ds: what the lead of a yawed wheel changes by is left out
+  Value at(double s_m, double& tilt_slope) const {
+    const HeightTable::Value wheel = geometry_.wheel().at(s_m);
+    const Locus locus = computeLocus(s_m, wheel);
+    const HeightTable::Value rail = geometry_.rail().at(locus.y_m - geometry_.railTop_m());
+    const Value value = makeValue(locus.d_m - rail.z_m, locus.y_slope, locus.d_slope, rail.slope, rail.slope_1pm);
+    tilt_slope = (wheel.slope_1pm - rail.slope_1pm * locus.y_slope * locus.y_slope) * value.length_square;
+    return value;
+  }
   Place placeAt(double s_m) const;
 
   /// Several places at once: each loop over them does one thing, so that they share vector registers.

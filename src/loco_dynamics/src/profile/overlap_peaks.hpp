@@ -23,9 +23,15 @@ struct OverlapPeaks {
   std::size_t count = 0;
 };
 
-/// Place in (low, high) where de/ds is 0; its signs at both ends, which are those of the tilts, differ. By regula falsi
-/// (Illinois), to 1e-7 m, which moves the overlap by 1e-12 m.
-double findFlatPlace(const Overlap& overlap, double low_m, double low_tilt, double high_m, double high_tilt);
+/// Where de/ds = 0.
+struct FlatPlace {
+  double s_m;
+  double overlap_m;
+};
+
+/// Place in (low, high) where de/ds is 0; its signs at both ends, which are those of the tilts, differ. By the secant
+/// method, the first step by Newton's, kept within the bracket, to 1e-7 m, which moves the overlap by 1e-12 m.
+FlatPlace findFlatPlace(const Overlap& overlap, double low_m, double low_tilt, double high_m, double high_tilt);
 
 /// Place between a peak and an end of its stretch (e there < 0) where the overlap ends, by Newton's method kept within
 /// the bracket, to 1e-5 of the distance from the peak.

@@ -6,12 +6,14 @@
 #include <cmath>
 
 #include "rail_placing.hpp"
+#include "stray_chord.hpp"
 
 namespace loco {
 
 namespace {
 
 constexpr double kMillimetresPerMetre = 1e3;
+constexpr double kMilliradiansPerRadian = 1e3;
 constexpr std::size_t kFewest = 20;
 constexpr double kWidestGap_mm = 5.0;     // chosen: two points on a root arc of 12 mm are still 24 degrees apart
 constexpr double kSharpest_rad = 0.785;   // chosen: 45 degrees between neighbouring chords is a slip, no profile
@@ -20,6 +22,10 @@ constexpr double kClosedBehindTip_mm = 1.0;
 constexpr double kTreadBeyond_mm = 20.0;
 constexpr double kHeadBeyond_mm = 20.0;
 constexpr double kTapingLineTolerance_mm = 0.1;
+constexpr double kFlangeBack_mm = -70.0;  // UIC 510-2: the taping line is where the wheel is 70 mm from its back
+// Chosen: a back face is measured to 0.1 mm, and where it bends to the tip (arc of 12 mm) it is 0.5 mm further out than
+// a first point 3.4 mm lower. A profile shifted that much carries the wheelset's flanges 1 mm too far apart.
+constexpr double kFlangeBackTolerance_mm = 0.5;
 
 std::string shown(double value) {
   std::array<char, 32> text{};
@@ -97,7 +103,9 @@ void ProfileCheck::checkWheel() {
   if (!checkFlangeSide(tip) || !checkOrder(tip)) return;
   checkNeighbours(0);
   checkFlange(tip);
+  checkFlangeBack(tip);
   checkTapingLine(tip);
+  checkSmoothness(tip);  // nothing can touch what lies behind the tip
 }
 
 bool ProfileCheck::checkFlangeSide(std::size_t tip) {
@@ -129,6 +137,27 @@ void ProfileCheck::checkFlange(std::size_t tip) {
       return;
     }
   }
+}
+
+void ProfileCheck::checkFlangeBack(std::size_t tip) {
+  std::size_t back = 0;
+  for (std::size_t i = 1; i <= tip; ++i) {
+    if (points_[i].y_m < points_[back].y_m) back = i;
+  }
+  const double back_mm = points_[back].y_m * kMillimetresPerMetre;
+  if (std::abs(back_mm - kFlangeBack_mm) <= kFlangeBackTolerance_mm) return;
+  refuse("y_mm", back, back_mm,
+         "the flange's back, which is the least y, must be at y = -70 within 0.5 mm: y counts from the taping line, "
+         "which is 70 mm from it");
+}
+
+void ProfileCheck::checkSmoothness(std::size_t from) {
+  const std::optional<StrayChord> stray = findStrayChord(points_, from);
+  if (!stray) return;
+  refuse("z_mm", stray->point, points_[stray->point].z_m * kMillimetresPerMetre,
+         "noise or a step: the profile turns here by " + shown(stray->angle_rad * kMilliradiansPerRadian) +
+             " mrad and back, must be " + shown(kMostAstray_rad * kMilliradiansPerRadian) +
+             " mrad at most (points that were measured must be smoothed)");
 }
 
 void ProfileCheck::checkTapingLine(std::size_t tip) {
@@ -166,8 +195,12 @@ void ProfileCheck::checkRail() {
   }
   if ((points_.front().z_m - points_[top].z_m) < kGaugeDepth_m) {
     refuse("z_mm", 0, points_.front().z_m * kMillimetresPerMetre,
-           "the gauge face must reach 14 mm below the top, where the gauge is measured");
+           "the gauge face must reach 14 mm below the top, where the gauge is measured" +
+               std::string(points_.back().z_m - points_[top].z_m < kGaugeDepth_m
+                               ? ""
+                               : "; the other side does: is the rail mirrored?"));
   }
+  checkSmoothness(0);
 }
 
 }  // namespace loco

@@ -25,7 +25,9 @@ class ProfileCheck {
   void checkWheel();
   bool checkFlangeSide(std::size_t tip);
   void checkFlange(std::size_t tip);
+  void checkFlangeBack(std::size_t tip);
   void checkTapingLine(std::size_t tip);
+  void checkSmoothness(std::size_t from);
   void checkRail();
   void refuse(const std::string& column, std::size_t point, double value_mm, const std::string& rule);
   void refuse(const std::string& rule) { problems_.add(file_, "", rule); }

@@ -11,11 +11,13 @@ const char* const kCreepForceHelp =
 Creep forces of elliptic wheel-rail contacts. Reads cases as CSV on standard input and writes the same rows with the columns
 Fx_N,Fy_N appended on standard output. The first line names the columns, in any order:
   a_mm,b_mm           semi-axes of the contact, a in rolling direction
+                      or curvature_along_1pm,curvature_across_1pm (both bodies together): Hertz's ellipse for N_N, with
+                      the column E_GPa, 210 without
   N_N                 normal force
   V_mps               speed; V times the creepages' magnitude is the slip speed that friction depends on
   mu0,A,B_s_per_m     friction mu = mu0 ((1 - A) exp(-B w) + A);  A = 1 is Coulomb's law
   k0,alpha_inf,beta   variable reduction factor; must be there for modfastsim and closed, other methods do not use them
-  creep_x,creep_y,spin_rad_per_m
+  creep_x,creep_y,spin_rad_per_m  ratios, 0.07 for 7 %: -100 to 100, and a slip of V times creep of 60 m/s at most
   G_GPa,nu            optional, 82 and 0.28 without
   kA,kS               optional, reduction factors of Polach's formula: without them --k-a and --k-s, or 1 (no reduction)
 Lines that begin with # and empty ones are left out. Signs are CONTACT's: creepage is the velocity of body 1 relative to

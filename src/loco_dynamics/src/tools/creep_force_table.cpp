@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <istream>
 #include <iterator>
 #include <ostream>
 
 #include "loco_dynamics/contact/contact_signs.hpp"
+#include "loco_dynamics/contact/hertz.hpp"
 #include "rail_core/csv_table.hpp"
 #include "rail_core/problems.hpp"
 #include "rail_core/yaml_reader.hpp"
@@ -19,6 +21,7 @@ namespace {
 constexpr char kInput[] = "standard input";
 constexpr double kPascalsPerGigapascal = 1e9;
 constexpr double kMetresPerMillimetre = 1e-3;
+constexpr char kAlong[] = "curvature_along_1pm";
 
 /// A column, what it must keep, and its value where the file has no such column.
 struct Column {
@@ -27,28 +30,31 @@ struct Column {
   std::optional<double> fallback;  ///< nothing: the column must be there
 };
 
-std::vector<Column> columnsFor(const CreepForceArguments& arguments) {
+/// @param curved  the ellipse comes from curvatures and the load
+std::vector<Column> columnsFor(const CreepForceArguments& arguments, bool curved) {
   const bool reduced = arguments.method == CreepMethod::kModfastsim || arguments.method == CreepMethod::kClosed;
   const auto unless = [](bool needed, double value) { return needed ? std::nullopt : std::optional<double>(value); };
-  // creepage beyond a million is a slip of the pen, and would overflow in the end
-  const rail::Range creepage = rail::between(-1e6, 1e6);
-  return {{"a_mm", rail::aboveUpTo(0.0, 1e3), {}},
-          {"b_mm", rail::aboveUpTo(0.0, 1e3), {}},
-          {"N_N", rail::between(0.0, 1e9), {}},
-          {"V_mps", rail::between(0.0, 1e3), {}},
-          {"mu0", rail::aboveUpTo(0.0, 1.0), {}},
-          {"A", rail::aboveUpTo(0.0, 1.0), {}},
-          {"B_s_per_m", rail::notNegative(), {}},
-          {"creep_x", creepage, {}},
-          {"creep_y", creepage, {}},
-          {"spin_rad_per_m", creepage, {}},
-          {"k0", rail::aboveUpTo(0.0, 1.0), unless(reduced, 1.0)},
-          {"alpha_inf", rail::between(0.0, 1.0), unless(reduced, 1.0)},
-          {"beta", rail::notNegative(), unless(reduced, 0.0)},
-          {"G_GPa", rail::aboveUpTo(0.0, 1e4), 82.0},
-          {"nu", rail::between(0.0, 0.5), 0.28},
-          {"kA", rail::aboveUpTo(0.0, 1.0), arguments.k_A.value_or(1.0)},
-          {"kS", rail::aboveUpTo(0.0, 1.0), arguments.k_S.value_or(1.0)}};
+  // chosen: a wheel that races at 50 m/s has it over the models' creepage floor of 0.5 m/s; a flange's spin is 2 rad/m
+  const rail::Range creepage = rail::between(-100.0, 100.0);
+  std::vector<Column> columns = {{curved ? kAlong : "a_mm", rail::aboveUpTo(0.0, 1e3), {}},
+                                 {curved ? "curvature_across_1pm" : "b_mm", rail::aboveUpTo(0.0, 1e3), {}},
+                                 {"N_N", rail::between(0.0, 1e9), {}},
+                                 {"V_mps", rail::between(0.0, 1e3), {}},
+                                 {"mu0", rail::aboveUpTo(0.0, 1.0), {}},
+                                 {"A", rail::aboveUpTo(0.0, 1.0), {}},
+                                 {"B_s_per_m", rail::notNegative(), {}},
+                                 {"creep_x", creepage, {}},
+                                 {"creep_y", creepage, {}},
+                                 {"spin_rad_per_m", creepage, {}},
+                                 {"k0", rail::aboveUpTo(0.0, 1.0), unless(reduced, 1.0)},
+                                 {"alpha_inf", rail::between(0.0, 1.0), unless(reduced, 1.0)},
+                                 {"beta", rail::notNegative(), unless(reduced, 0.0)},
+                                 {"G_GPa", rail::aboveUpTo(0.0, 1e4), 82.0},
+                                 {"nu", rail::between(0.0, 0.5), 0.28},
+                                 {"kA", rail::aboveUpTo(0.0, 1.0), arguments.k_A.value_or(1.0)},
+                                 {"kS", rail::aboveUpTo(0.0, 1.0), arguments.k_S.value_or(1.0)}};
+  if (curved) columns.push_back({"E_GPa", rail::aboveUpTo(0.0, 1e4), 210.0});
+  return columns;
 }
 
 std::vector<std::string> splitLines(const std::string& text) {
@@ -71,21 +77,23 @@ int findHeader(const std::vector<std::string>& lines) {
   return -1;
 }
 
+/// Whether a header names a column.
+bool names(const std::string& header, const std::string& name) {
+  for (std::size_t at = header.find(name); at != std::string::npos; at = header.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    const auto parts = [&header](std::size_t i) { return header[i] == ',' || header[i] == ' ' || header[i] == '"'; };
+    if ((at == 0 || parts(at - 1)) && (end == header.size() || parts(end))) return true;
+  }
+  return false;
+}
+
 /// Columns to ask for: those that must be there, and those that may and are.
 std::vector<std::string> columnsToRead(const std::vector<Column>& columns, const std::string& header) {
-  const auto named = [&header](const std::string& name) {
-    for (std::size_t at = header.find(name); at != std::string::npos; at = header.find(name, at + 1)) {
-      const std::size_t end = at + name.size();
-      const auto parts = [&header](std::size_t i) { return header[i] == ',' || header[i] == ' ' || header[i] == '"'; };
-      if ((at == 0 || parts(at - 1)) && (end == header.size() || parts(end))) return true;
-    }
-    return false;
-  };
-  std::vector<std::string> names;
+  std::vector<std::string> asked;
   for (const Column& column : columns) {
-    if (!column.fallback || named(column.name)) names.push_back(column.name);
+    if (!column.fallback || names(header, column.name)) asked.push_back(column.name);
   }
-  return names;
+  return asked;
 }
 
 bool keeps(double value, const rail::Range& range) {
@@ -107,11 +115,20 @@ std::string ruleOf(const rail::Range& range) {
 
 /// One case: the values of all columns, in their order.
 struct Case {
-  double a_mm, b_mm, N_N, V_mps, mu0, A, B, creep_x, creep_y, spin, k0, alpha_inf, beta, G_GPa, nu, k_A, k_S;
+  double a_mm, b_mm;  // or the curvatures
+  double N_N, V_mps, mu0, A, B, creep_x, creep_y, spin, k0, alpha_inf, beta, G_GPa, nu, k_A, k_S;
+  std::optional<double> E_GPa;  // with curvatures
 };
 
 Case caseOf(const std::vector<double>& v) {
-  return {v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10], v[11], v[12], v[13], v[14], v[15], v[16]};
+  return {v[0],  v[1],  v[2],  v[3],  v[4],  v[5],
+          v[6],  v[7],  v[8],  v[9],  v[10], v[11],
+          v[12], v[13], v[14], v[15], v[16], v.size() > 17 ? std::optional<double>(v[17]) : std::nullopt};
+}
+
+HertzContact::Ellipse ellipseOf(const Case& c) {
+  if (c.E_GPa) return HertzContact({c.a_mm, c.b_mm}, {*c.E_GPa * kPascalsPerGigapascal, c.nu}).computeEllipse(c.N_N);
+  return {c.a_mm * kMetresPerMillimetre, c.b_mm * kMetresPerMillimetre};
 }
 
 ContactForce computeCase(const CreepForceArguments& arguments, const Case& c) {
@@ -123,10 +140,30 @@ ContactForce computeCase(const CreepForceArguments& arguments, const Case& c) {
   parameters.friction = {c.mu0, c.A, c.B};
   parameters.reduction = {c.k0, c.alpha_inf, c.beta};
   parameters.polach = {c.k_A, c.k_S};
-  const ContactPatch patch = makeContactPatch(c.a_mm * kMetresPerMillimetre, c.b_mm * kMetresPerMillimetre, c.N_N,
-                                              c.G_GPa * kPascalsPerGigapascal, c.nu);
+  const HertzContact::Ellipse ellipse = ellipseOf(c);
+  const ContactPatch patch = makeContactPatch(ellipse.a_m, ellipse.b_m, c.N_N, c.G_GPa * kPascalsPerGigapascal, c.nu);
   const Creepage creepage = fromContactSigns({c.creep_x, c.creep_y, c.spin}, c.V_mps);
   return toContactSigns(CreepLaw(parameters).computeForce(patch, creepage));
+}
+
+/// A creepage that would be possible on its own may not be so at its speed: then it was meant in percent.
+void checkSlip(const std::string& line, const std::string& column, double creepage, double V_mps,
+               rail::Problems& problems) {
+  constexpr double kLargestSlip_mps = 60.0;  // chosen: no wheel's rim is 216 km/h faster than its train
+  const double slip_mps = std::abs(creepage) * V_mps;
+  if (slip_mps > kLargestSlip_mps) {
+    problems.add(kInput, line + ": " + column, shown(creepage),
+                 "a ratio, 0.07 for 7 %: over V_mps it is a slip of " + shown(slip_mps) + " m/s, must be <= 60");
+  }
+}
+
+/// Number of the line that a problem names, 0 if it names none.
+int lineOf(const std::string& problem) {
+  const std::string start = std::string(kInput) + ": line ";
+  int number = 0;
+  if (problem.compare(0, start.size(), start) == 0)
+    std::from_chars(problem.data() + start.size(), problem.data() + problem.size(), number);
+  return number;
 }
 
 /// Values of one row in the order of `columns`; problems of ranges and relations are added.
@@ -145,6 +182,8 @@ std::vector<double> checkedValues(const CreepForceArguments& arguments, const st
   if (arguments.method == CreepMethod::kClosed && c.spin != 0.0) {
     problems.add(kInput, line + ": spin_rad_per_m", shown(c.spin), "must be 0 for --method closed");
   }
+  checkSlip(line, "creep_x", c.creep_x, c.V_mps, problems);
+  checkSlip(line, "creep_y", c.creep_y, c.V_mps, problems);
   if (c.k_S > c.k_A) problems.add(kInput, line + ": kS", shown(c.k_S), "must not be larger than kA");
   return values;
 }
@@ -153,13 +192,13 @@ std::vector<double> checkedValues(const CreepForceArguments& arguments, const st
 
 int runCreepForce(const CreepForceArguments& arguments, const std::string& text, std::ostream& output,
                   std::ostream& errors) {
-  const std::vector<Column> columns = columnsFor(arguments);
   const std::vector<std::string> lines = splitLines(text);
-  const int header = findHeader(lines);
+  const int at = findHeader(lines);
+  const std::string header = at < 0 ? "" : lines[static_cast<std::size_t>(at)];
+  const std::vector<Column> columns = columnsFor(arguments, names(header, kAlong));
   rail::Problems problems;
-  const rail::CsvTable table = rail::readCsv(
-      text, kInput, columnsToRead(columns, header < 0 ? "" : lines[static_cast<std::size_t>(header)]), problems);
-  if (!table.rows.empty()) output << lines[static_cast<std::size_t>(header)] << ",Fx_N,Fy_N\n";
+  const rail::CsvTable table = rail::readCsv(text, kInput, columnsToRead(columns, header), problems);
+  if (!table.rows.empty()) output << header << ",Fx_N,Fy_N\n";
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const std::size_t before = problems.lines().size();
     const std::vector<double> values = checkedValues(arguments, columns, table, row, problems);
@@ -168,7 +207,10 @@ int runCreepForce(const CreepForceArguments& arguments, const std::string& text,
     output << lines[static_cast<std::size_t>(table.line_of_row[row] - 1)] << ',' << shown(force.x_N + 0.0) << ','
            << shown(force.y_N + 0.0) << '\n';  // + 0.0: never -0
   }
-  for (const std::string& line : problems.lines()) errors << line << '\n';
+  std::vector<std::string> told = problems.lines();
+  std::stable_sort(told.begin(), told.end(),
+                   [](const std::string& a, const std::string& b) { return lineOf(a) < lineOf(b); });
+  for (const std::string& line : told) errors << line << '\n';
   return problems.empty() ? 0 : 2;
 }
 

@@ -30,7 +30,8 @@ wheelset stands on both rails with the given load, rolling freely and steadily; 
 
 Columns: y_rail_mm is counted from the rail's highest point to the field side, z_rail_mm from there down, on both sides;
 angle_rad is that of the contact plane, positive on the treads and more so on the flanges, on both sides. a_mm (in rolling
-direction), b_mm are the semi-axes of the ellipse with which the simulator computes, area_mm2 and p_max_MPa its area and largest pressure.
+direction), b_mm are the semi-axes of the ellipse with which the simulator computes, area_mm2 its area; p_max_MPa is the largest
+pressure of elastic half-spaces with the shape of the profiles, not of the ellipse.
 Files have the columns y_mm,z_mm: y to the field side (a wheel's from its taping line, its flange at y < 0), z down, flange's back
 or gauge face first. A displacement at which the wheelset does not stand is named on standard error and left out. Exit status: 0 all
 computed, 2 something refused.

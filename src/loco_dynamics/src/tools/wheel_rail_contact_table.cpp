@@ -8,6 +8,7 @@
 #include <iterator>
 #include <ostream>
 
+#include "loco_dynamics/profile/patch_pressure.hpp"
 #include "loco_dynamics/profile/profile_file.hpp"
 #include "loco_dynamics/profile/standard_profiles.hpp"
 #include "loco_dynamics/profile/standing_wheelset.hpp"
@@ -48,20 +49,22 @@ ProfilePoints findProfile(ProfileKind kind, const std::string& option, const std
 /// The name of the option from which a misfit comes.
 std::string optionOf(const std::string& key) { return key == "gauge_mm" ? "--gauge" : "--" + key; }
 
-void writePatches(std::ostream& output, Side side, double lateral_mm, double yaw_mrad, const LoadedWheel& wheel,
+void writePatches(std::ostream& output, Side side, double lateral_mm, double yaw_mrad, const StandingWheelset& standing,
                   const WheelRailGeometry& geometry) {
+  constexpr double kPascalPerMegapascal = 1e6;
   const double sign = side == Side::kLeft ? 1.0 : -1.0;
+  const LoadedWheel& wheel = standing.wheel[static_cast<std::size_t>(side)];
   for (std::size_t i = 0; i < wheel.count; ++i) {
     const LoadedPatch& patch = wheel.patch[i];
     const double a_mm = patch.ellipse.a_m * kMillimetresPerMetre, b_mm = patch.ellipse.b_m * kMillimetresPerMetre;
     const double area_mm2 = kPi * a_mm * b_mm;
-    const double whole_N = patch.normal_N / patch.region.share;
+    const double p_max_MPa = computePatchPressure(geometry, standing, side, i, {}) / kPascalPerMegapascal;
     output << (side == Side::kLeft ? "left" : "right");
-    for (const double value : {lateral_mm, yaw_mrad, static_cast<double>(i + 1),
-                               (sign * patch.region.p_T.y() - geometry.railTop_m()) * kMillimetresPerMetre,
-                               -patch.region.p_T.z() * kMillimetresPerMetre, sign * patch.region.angle_rad,
-                               patch.region.rolling_radius_m * kMillimetresPerMetre, patch.normal_N, a_mm, b_mm,
-                               area_mm2, 1.5 * whole_N / area_mm2}) {  // N/mm2 is MPa
+    for (const double value :
+         {lateral_mm, yaw_mrad, static_cast<double>(i + 1),
+          (sign * patch.region.p_T.y() - geometry.railTop_m()) * kMillimetresPerMetre,
+          -patch.region.p_T.z() * kMillimetresPerMetre, sign * patch.region.angle_rad,
+          patch.region.rolling_radius_m * kMillimetresPerMetre, patch.normal_N, a_mm, b_mm, area_mm2, p_max_MPa}) {
       output << ',' << shown(value + 0.0);
     }
     output << '\n';
@@ -104,8 +107,7 @@ bool writeTable(const WheelRailContactArguments& arguments, const WheelRailGeome
       continue;
     }
     for (const Side side : {Side::kLeft, Side::kRight}) {
-      writePatches(output, side, lateral_mm, arguments.yaw_mrad, standing.wheel[static_cast<std::size_t>(side)],
-                   geometry);
+      writePatches(output, side, lateral_mm, arguments.yaw_mrad, standing, geometry);
     }
   }
   return all_stand;

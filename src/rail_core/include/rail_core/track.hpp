@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rail_core/track_irregularity.hpp"
 #include "rail_core/yaml_reader.hpp"
 
 namespace rail {
@@ -28,12 +29,19 @@ struct TrackStretch {
   double lateral_m = 0.0;    ///< of the centre line there from the tangent here, + to the left
 };
 
+inline constexpr double kCantBaseline_m = 1.5;  ///< between the rails' contacts, over which cant is measured (EN 13803)
+inline constexpr double kCantWindow_m = 3.0;    ///< chosen: over a shorter one run-offs would be impulses
+
 /// Cant with its run-offs rounded off.                                                                    (T10)
 struct TrackCant {
   double left_m = 0.0;   ///< height of the left rail over the right: < 0 in a canted curve to the left
   double slope = 0.0;    ///< d(left_m)/ds [-]
   double outer_m = 0.0;  ///< height of the outer rail over the inner, >= 0; its own mean, so it bends gradually as well
   double outer_slope = 0.0;  ///< d(outer_m)/ds [-]; not |slope| where the outer rail changes sides within the window
+
+  /// Angle of the line across the rail tops about x, + left rail up: its sine is left_m over the baseline.
+  double computeRoll_rad() const;
+  double computeRollSlope_1pm() const;  ///< d(roll)/ds
 };
 
 /// The line in plan and profile, by chainage s [m] in running direction. Constant after reading.
@@ -53,6 +61,7 @@ struct TrackCant {
 ///   name: ..., table_file: line.csv
 ///   between_rows: {grade: constant|linear, curvature: constant|linear}   # cant goes with curvature
 /// where `constant` holds a row's value until the next row and `linear` joins the rows; the speed limit always holds.
+/// Both may have `irregularity_file: rails.csv`, see TrackIrregularity.
 /// The track reaches from the first row to the last. Two rows at one chainage make a jump; a chainage that goes back is
 /// refused. Also refused: |radius| < 50 m, |grade| > 100 permille, cant outside 0..300 mm, a limit <= 0, curves that
 /// overlap or reach beyond the track.
@@ -81,6 +90,9 @@ class Track {
 
   /// False if no place has cant.
   bool canted() const { return canted_; }
+
+  /// How the rails deviate from all this; at() and the others do not know of it.
+  const TrackIrregularity& irregularity() const { return irregularity_; }
 
   const std::string& name() const { return name_; }
   double start_m() const { return start_m_; }
@@ -111,6 +123,7 @@ class Track {
   double start_m_ = 0.0, end_m_ = 0.0;
   std::vector<Piece> pieces_;
   bool canted_ = false;
+  TrackIrregularity irregularity_;
 };
 
 }  // namespace rail

@@ -26,6 +26,14 @@ class Wheels:
 
 
 @dataclasses.dataclass(frozen=True)
+class Wheelsets:
+    """Where a locomotive's wheelsets are in the track, of the model 3d. SI units; in rows of /tf, which are fewer."""
+    time_s: np.ndarray
+    location_m: np.ndarray            # [row, wheelset]
+    lateral_m: np.ndarray             # [row, wheelset], + left of the middle of the track as designed
+
+
+@dataclasses.dataclass(frozen=True)
 class Adhesion:
     """One locomotive's wheels on the rail in rows of simulation time; SI units, signs as in AxleAdhesion.msg."""
     locomotive: int                   # counted from 1 at the head of the train
@@ -43,6 +51,7 @@ class Adhesion:
     frictional_power_W: np.ndarray    # lost to slip
     t_gamma_N: np.ndarray             # energy lost to slip per distance
     wheels: Optional[Wheels] = None   # of the model 3d
+    wheelsets: Optional[Wheelsets] = None  # of the model 3d, if the bag has /tf
 
     @property
     def location_km(self) -> np.ndarray:
@@ -73,7 +82,16 @@ def join_adhesion(parts: List[Adhesion]) -> Adhesion:
 
     wheels = [part.wheels for part in parts]
     return dataclasses.replace(parts[0], **joined(parts), wheels=None if None in wheels else
-                               dataclasses.replace(wheels[0], **joined(wheels)))
+                               dataclasses.replace(wheels[0], **joined(wheels)),
+                               wheelsets=_join_wheelsets([part.wheelsets for part in parts]))
+
+
+def _join_wheelsets(parts: List[Optional[Wheelsets]]) -> Optional[Wheelsets]:
+    if None in parts:
+        return None
+    _, rows = np.unique(np.concatenate([part.time_s for part in parts]), return_index=True)
+    return Wheelsets(**{name: np.concatenate([getattr(part, name) for part in parts])[rows]
+                        for name in array_names(Wheelsets)})
 
 
 def true_stretches(place: np.ndarray, flags: np.ndarray) -> List[Tuple[float, float]]:

@@ -8,20 +8,24 @@ from matplotlib.figure import Figure
 
 from train_viz import plot_style
 from train_viz.adhesion import Adhesion, true_stretches
+from train_viz.creep_curve import CreepCurve, creep_curves, speeds_of
 from train_viz.resolved_scenario import read_slip_limit
 from train_viz.run import Run
 
 RACING = 1.0  # creep [-], chosen: beyond it a linear axis hides the part that the wheels should stay in
 LINEAR_TO_PERCENT = 10.0  # chosen: holds every usual slip limit
+CURVE_LINES = ('-', (0, (6, 2)), (0, (2, 1.5)))  # of the creep curves, from the first speed on
 LIMIT_STYLE = {'color': 'black', 'linestyle': '--', 'linewidth': 1.2}
 
 
 def draw_adhesion_creep(run: Run) -> Figure:
     """Adhesion used over creep, a panel for each axle, and the friction that the rail offers; as Fig. 3.
 
-    The contact's creep curve is not drawn: a bag of the 2D model does not hold the contact ellipse that it depends on.
+    Behind the points of the 2D model stands its contact's curve at some speeds; in 3D the ellipses move with the wheelsets.
     """
     wheels = run.adhesion
+    low, high = wheels.creep.min(), wheels.creep.max()
+    behind = creep_curves(run, speeds_of(run), min(1.08 * max(high, 1e-3), RACING))
     columns = min(3, wheels.axles)
     rows = -(-wheels.axles // columns)
     figure, panels = plt.subplots(rows, columns, figsize=(3.2 + 3.0 * columns, 1.6 + 2.7 * rows), sharex=True, sharey=True,
@@ -30,11 +34,11 @@ def draw_adhesion_creep(run: Run) -> Figure:
         if axle >= wheels.axles:
             axes.set_visible(False)
             continue
+        draw_creep_curves(axes, behind)
         points = _draw_axle(axes, wheels, axle)
         _mark_slip_limit(axes.axvline, run)
         axes.set_title(f'axle {axle + 1}', fontsize=11)
         axes.xaxis.set_tick_params(labelbottom=axle + columns >= wheels.axles)
-    low, high = wheels.creep.min(), wheels.creep.max()
     panels[0, 0].set_xlim(100.0 * min(1.08 * low, -0.02 * min(high, 0.1)), 100.0 * max(1.08 * high, 1e-3))
     if _races(wheels):
         panels[0, 0].set_xscale('symlog', linthresh=LINEAR_TO_PERCENT)
@@ -56,6 +60,12 @@ def _draw_axle(axes: Axes, wheels: Adhesion, axle: int):
     style = {'c': wheels.speed_kmph, 'cmap': 'viridis', 'linewidths': 0.0, 'rasterized': True}
     axes.scatter(creep, wheels.friction[:, axle], s=2.0, label='thin: friction offered at the slip', **style)
     return axes.scatter(creep, wheels.adhesion[:, axle], s=11.0, label='thick: adhesion used', **style)
+
+
+def draw_creep_curves(axes: Axes, curves: List[CreepCurve], colour: str = '0.25') -> None:
+    for curve, dashes in zip(curves, CURVE_LINES):
+        axes.plot(100.0 * curve.creep, curve.adhesion, linestyle=dashes, color=colour, linewidth=1.3, zorder=3,
+                  label=curve.label)
 
 
 def _races(wheels: Adhesion) -> bool:

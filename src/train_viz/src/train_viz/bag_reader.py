@@ -14,6 +14,7 @@ from train_msgs.msg import Adhesion as AdhesionMessage
 from train_msgs.msg import RunConfiguration, TrainEnergy, TrainState
 
 from train_viz.adhesion import AXLE_COLUMNS, Adhesion, Wheels
+from train_viz.pose_reader import read_wheelsets
 from train_viz.run import ReportError, Run
 
 FORMAT_VERSION = 2  # of the bag, as in RunConfiguration; with another one fields may mean something else
@@ -52,6 +53,9 @@ def read_bag(path: str, locomotive: Optional[int] = None) -> Run:
             with_wheels = _check_topics(path, bag, locomotive)
             configuration = _read_configuration(path, bag)
             states, energies, wheels = _read_rows(path, bag, with_wheels)
+            adhesion = _make_adhesion(path, with_wheels, wheels)
+            if adhesion is not None and adhesion.wheels is not None:
+                adhesion = dataclasses.replace(adhesion, wheelsets=read_wheelsets(bag, adhesion, configuration.resolved))
     except rosbag.ROSBagUnindexedException:
         raise ReportError(f'{path}: bag was never closed: wait for the end of the run, or repair a copy of it with '
                           f"'rosbag reindex'") from None
@@ -61,7 +65,7 @@ def read_bag(path: str, locomotive: Optional[int] = None) -> Run:
     count = run.traction_N.shape[1]
     if locomotive is not None and not 1 <= locomotive <= count:
         raise ReportError(f'{path}: no locomotive {locomotive}: the train has {count}, 1 is the leading one')
-    return dataclasses.replace(run, locomotive=locomotive or 1, adhesion=_make_adhesion(path, with_wheels, wheels))
+    return dataclasses.replace(run, locomotive=locomotive or 1, adhesion=adhesion)
 
 
 def _one_line(error: BaseException) -> str:

@@ -7,8 +7,9 @@ from matplotlib.figure import Figure
 
 from train_viz import paper_values as paper
 from train_viz import plot_style
-from train_viz.adhesion_figures import draw_friction_adhesion
+from train_viz.adhesion_figures import draw_creep_curves, draw_friction_adhesion
 from train_viz.comparison import Comparison
+from train_viz.creep_curve import creep_curves, speeds_of
 from train_viz.resolved_scenario import GRAVITY_MPS2
 from train_viz.run_folder import RunFolder
 
@@ -36,6 +37,7 @@ def draw_fig3(c: Comparison) -> Optional[Figure]:
     for folder, axes in zip(shown, panels[0]):
         wheels = folder.run.adhesion
         colour = colour_of(c, folder)
+        draw_creep_curves(axes, creep_curves(folder.run, speeds_of(folder.run), 1.08 * max(wheels.creep.max(), 1e-3)))
         axes.scatter(100.0 * wheels.creep, wheels.adhesion, s=2.0, color=colour, linewidths=0.0, rasterized=True)
         axes.axvline(100.0 * paper.SLIP_LIMIT, color='black', linestyle='--', linewidth=1.2)
         axes.axhline(paper.STATIC_FRICTION, color='black', linestyle=':', linewidth=1.5)
@@ -50,7 +52,7 @@ def draw_fig3(c: Comparison) -> Optional[Figure]:
     figure.supxlabel('creep [%]', fontsize=12)
     figure.supylabel('coefficient of adhesion [-]', fontsize=12)
     figure.suptitle('Fig. 3: adhesion characteristics')
-    plot_style.legend_below(figure, last)
+    plot_style.legend_below(figure, panels[0])
     return figure
 
 

@@ -76,6 +76,14 @@ def read_value(resolved: str, *path: Any) -> Any:
     return _lookup(_load(resolved), *path)
 
 
+def read_locomotive_value(resolved: str, locomotive: int, *path: Any) -> Any:
+    """The value at a path within a locomotive, from 1 at the head, or None."""
+    try:
+        return _lookup(_locomotive(_lookup(_load(resolved), 'train', 'groups'), locomotive), *path)
+    except (TypeError, ValueError):
+        return None
+
+
 def _locomotive(groups: List[dict], number: int) -> Any:
     """The vehicle of the number-th locomotive; only locomotives have an adhesion limit."""
     for count, vehicle in _vehicles(groups):

@@ -17,6 +17,7 @@ TITLES = {  # by the beginning of a figure's name, in the order of the page
     'adhesion_creep': 'adhesion over creep, axle by axle',
     'adhesion_control': 'creep, torque and where the controller acts',
     'axle_loads': 'axle loads and slip losses',
+    'wheelset_displacement': 'lateral displacement of each wheelset, at its own place',
     'guiding_forces': 'guiding force and its ratio to the vertical force, wheel by wheel',
     'wheel_contacts': 'slip loss and number of contacts, wheel by wheel',
 }
@@ -24,7 +25,7 @@ SECTIONS = (
     ('Energy', ('energy_flow', 'energy_account', 'energy')),
     ('Motion and forces', ('traction_force', 'speed_notch', 'coupler_forces')),
     ('Wheel and rail', ('friction_adhesion', 'adhesion_creep', 'adhesion_control', 'axle_loads',
-                        'guiding_forces', 'wheel_contacts')),
+                        'wheelset_displacement', 'guiding_forces', 'wheel_contacts')),
 )
 
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "loco_dynamics/profile/contact_region.hpp"
+#include "loco_dynamics/profile/reach_table.hpp"
 #include "loco_dynamics/profile/wheel_rail_geometry.hpp"
 
 namespace loco {
@@ -30,6 +31,7 @@ class ContactSearch {
   };
   WheelRailGeometry geometry_;
   std::vector<Block> blocks_;  ///< even along the wheel's surface, from the flange's tip to the field side
+  ReachTable reach_;           ///< of each block
 };
 
 }  // namespace loco
