@@ -15,7 +15,7 @@ using loco::BodyLayout;
 constexpr double kRadius_m = 0.5335, kSpin_kg_m2 = 1432.0;
 
 struct Sums {
-  double shoes_J = 0.0, slip_J = 0.0, residual_J = 0.0, drift_mps = 0.0;
+  double shoes_J = 0.0, least_shoes_J = 0.0, slip_J = 0.0, residual_J = 0.0, drift_mps = 0.0;
 };
 
 /// Runs and sums what the account says.
@@ -26,6 +26,7 @@ Sums runAndSum(Ride& ride, double seconds) {
     ride.step();
     EXPECT_EQ(ride.answer.work_shoes_J, ride.locomotive.account().shoes);
     sums.shoes_J += ride.answer.work_shoes_J;
+    sums.least_shoes_J = std::min(sums.least_shoes_J, ride.answer.work_shoes_J);
     sums.slip_J += ride.answer.work_slip_J;
     sums.residual_J += ride.locomotive.account().residual();
     sums.drift_mps = std::max(sums.drift_mps, std::abs(ride.answer.speed_mps - ride.ltd_speed));
@@ -94,6 +95,7 @@ TEST(Brake2dTest, ShoesStopItAndHoldItOnAGradeToCreep) {
                 1e3 * ride.answer.speed_mps, 1e-3 * w * 1e3, "axle loads differ by the grade's moment"});
   EXPECT_NEAR(ride.answer.traction_N, 20e3, 1.0);
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) EXPECT_NEAR(spin(ride, axle), 0.0, 1e-6);
+  EXPECT_GT(sums.least_shoes_J, -0.1);  // a held wheel follows its frame a micro step late: 32 W
   EXPECT_LT(sums.drift_mps, 1e-10);
   const double start_J = 0.5 * (kMass_kg + 6.0 * kSpin_kg_m2 / (kRadius_m * kRadius_m)) * 25.0;
   const double dissipated_J = sums.shoes_J + sums.slip_J;
@@ -113,7 +115,7 @@ TEST(Brake2dTest, ShoesBeyondAdhesionLockTheWheelsAndOnlyFrictionRetards) {
     const double mu = 0.35 * (0.4 + 0.6 * std::exp(-0.275 * v));
     largest_N = std::max(largest_N, std::abs(axle.force_N + mu * axle.normal_force_N));
   }
-  rail::verify({"14", "2D, locked wheels at 16 m/s: largest deviation of an axle's force", "mu(v) N", "N", 0.0,
+  rail::verify({"14", "2D, locked wheels at 13.9 m/s: largest deviation of an axle's force", "mu(v) N", "N", 0.0,
                 largest_N, 1.0, "speeds of wheelsets and CoG differ by mm/s"});
   const Sums locked = runAndSum(ride, 1.0);
   EXPECT_LT(std::abs(locked.shoes_J), 1e-4 * locked.slip_J);  // a shoe that holds makes no heat, the rail does

@@ -77,7 +77,7 @@ TEST(Brake3dTest, ShoesBeyondAdhesionLockTheWheelsUntilTheyAreReleased) {
     EXPECT_NEAR(axle.creep, -1.0, 1e-4);
     largest_N = std::max(largest_N, std::abs(axle.force_N + mu * axle.normal_force_N));
   }
-  rail::verify({"14", "3D, locked wheels at 16 m/s: largest deviation of an axle's force", "mu(v) N", "N", 0.0,
+  rail::verify({"14", "3D, locked wheels at 13.9 m/s: largest deviation of an axle's force", "mu(v) N", "N", 0.0,
                 largest_N, 1.0, "speeds of wheelsets and CoG differ by mm/s"});
   EXPECT_LT(largestLateral(ride), 1e-6);
   EXPECT_LT(std::abs(ride.sum.residual()), 1e-5 * (ride.sum.shoes + ride.sum.slip));

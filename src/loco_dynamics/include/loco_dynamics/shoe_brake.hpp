@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 
 namespace loco {
 
@@ -12,6 +13,7 @@ namespace loco {
 /// @return on the body, + forward
 /// Source: Coulomb's friction, solved for the end of the step: a smoothed sign would let a braked train creep.
 inline double computeHoldingForce(double stopping_N, double largest_N) {
+  assert(largest_N >= 0.0);
   return -std::clamp(stopping_N, -largest_N, largest_N);
 }
 
