@@ -25,7 +25,7 @@ void runModel(benchmark::State& state, const std::string& scenario) {
   force.rim_power_limit_W = 4.1e6;
   force.speed_mps = kSpeed_mps;
   loco::LocoTraction answer;
-  std::vector<double> at = locomotive->equilibriumState(3000.0, kSpeed_mps);
+  std::vector<double> at = locomotive->equilibriumState(3000.0, kSpeed_mps).state;
   const auto step = [&] {
     locomotive->step(at, force, answer);
     if (!answer.failure.empty()) throw std::runtime_error(answer.failure);

@@ -13,9 +13,7 @@ Loco1d::Loco1d(const Parameters& parameters)
     : parameters_(parameters),
       adhesion_limit_N_(parameters.adhesion_limit * parameters.mass_kg * rail::kGravity_mps2) {}
 
-std::vector<double> Loco1d::equilibriumState(double location_m, double speed_mps) const {
-  return {location_m, speed_mps};
-}
+LocoStart Loco1d::equilibriumState(double location_m, double speed_mps) const { return {{location_m, speed_mps}, {}}; }
 
 double computeAdhesionLimitedTraction(double reference_N, double adhesion_limit_N) {
   return std::clamp(reference_N, -adhesion_limit_N, adhesion_limit_N);  // (T8)

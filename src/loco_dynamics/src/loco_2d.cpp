@@ -76,13 +76,13 @@ BodyVector Loco2d::computeEquilibrium() const {
   return state.q;
 }
 
-std::vector<double> Loco2d::equilibriumState(double location_m, double speed_mps) const {
+LocoStart Loco2d::equilibriumState(double location_m, double speed_mps) const {
   const BodyState state = dynamics_.rollingState(location_m, speed_mps, parameters_.structure.wheel_radius_m);
   std::vector<double> flat(dynamics_.stateSize());
   dynamics_.pack(state, flat.data());
   const std::vector<double> control = drive_.initialState();
   flat.insert(flat.end(), control.begin(), control.end());
-  return flat;
+  return {std::move(flat), {}};
 }
 
 void Loco2d::step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) {

@@ -57,7 +57,7 @@ void Loco3d::step(const std::vector<double>& state, const LocoForce& force, Loco
   account_.stored = -dynamics_.computeStoredEnergy(state_, placement());
   for (int i = 0; i < micro_steps && answer.failure.empty(); ++i) {
     answer.failure = stepMicro(force, control_state, h, answer);
-    if (answer.failure.empty()) answer.failure = checkWheels(h, time_in_air_s);
+    if (answer.failure.empty()) answer.failure = checkWheels(state_, frames_, contacts_, h, time_in_air_s);
   }
   if (!answer.failure.empty()) return;
   answer.traction_N /= micro_steps;
@@ -113,6 +113,13 @@ WheelsetMotion Loco3d::motionOf(std::size_t axle, const BodyState& state, const 
   return {state.q[i], state.v[i], frames[i].curvature_1pm, frames[i].s_m, frames[i].irregular, frames[i].rails};
 }
 
+Vector6 Loco3d::inertiaOf(std::size_t axle) const {
+  Vector6 inertia;
+  for (const Dof dof : kAllDofs)
+    inertia[static_cast<Eigen::Index>(dof)] = dynamics_.layout().inertia(BodyLayout::wheelset(axle), dof);
+  return inertia;
+}
+
 void Loco3d::addContactForces(const LocoForce& force, double h) {
   const double largest_shoe_N_m = force.shoe_force_N * parameters_.structure.wheel_radius_m / BodyLayout::kAxles;
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
@@ -120,11 +127,9 @@ void Loco3d::addContactForces(const LocoForce& force, double h) {
     WheelsetMotion motion = motionOf(axle, state_, frames_);
     motion.sanding = force.sanding;
     contact_.compute(motion, contacts_[axle]);
-    Vector6 inertia;
-    for (const Dof dof : kAllDofs) inertia[static_cast<Eigen::Index>(dof)] = dynamics_.layout().inertia(i, dof);
     const std::size_t frame = BodyLayout::bogieOfAxle(axle);
     const WheelsetContact::Shoes shoes{largest_shoe_N_m, state_.v[i][kPitch] - state_.v[frame][kPitch]};
-    shoe_N_m_[axle] = WheelsetContact::addForces(inertia, h, contacts_[axle], scratch_.loads[i], shoes);
+    shoe_N_m_[axle] = WheelsetContact::addForces(inertiaOf(axle), h, contacts_[axle], scratch_.loads[i], shoes);
     scratch_.loads[frame][kPitch] -= shoe_N_m_[axle];  // the shoes hang on the frame
   }
 }
@@ -178,12 +183,13 @@ void Loco3d::book(const BodyVector& v_old, double h, LocoTraction& answer) {
   account_.dampers += dynamics_.computeDampingWork(v_old, state_.v, h, placement());
 }
 
-std::string Loco3d::checkWheels(double h, double* time_in_air_s) const {
+std::string Loco3d::checkWheels(const BodyState& state, const TrackFrames& frames, const ContactsOfAxles& contacts,
+                                double h, double* time_in_air_s) const {
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     const std::size_t i = BodyLayout::wheelset(axle);
-    std::string failure = parameters_.safety.check(parameters_.structure.bodies[i].name, frames_[i].s_m,
-                                                   parameters_.structure.wheel_radius_m, state_.q[i][kZ], h,
-                                                   contacts_[axle], time_in_air_s + 2 * axle);
+    std::string failure = parameters_.safety.check(parameters_.structure.bodies[i].name, frames[i].s_m,
+                                                   parameters_.structure.wheel_radius_m, state.q[i][kZ], h,
+                                                   contacts[axle], time_in_air_s + 2 * axle);
     if (!failure.empty()) return failure;
   }
   return {};

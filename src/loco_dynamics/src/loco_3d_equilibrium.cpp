@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "loco_dynamics/frame_forces.hpp"
 #include "loco_dynamics/loco_3d.hpp"
@@ -10,28 +11,6 @@
 namespace loco {
 
 namespace {
-
-constexpr Eigen::Index kSize = BodyLayout::kBodies * kDofs;
-using Flat = Eigen::VectorXd;
-
-/// The unknowns: all positions; of a wheelset's pitch, which may be any, its speed instead.
-double& unknown(BodyState& state, std::size_t body, Eigen::Index dof) {
-  return dof == kPitch && body >= BodyLayout::wheelset(0) ? state.v[body][dof] : state.q[body][dof];
-}
-
-/// Unknowns and loads are made numbers of like size: mm, mrad, 10 mrad/s; kN, kN m.
-double unitOf(std::size_t body, Eigen::Index dof) {
-  return dof == kPitch && body >= BodyLayout::wheelset(0) ? 1e-2 : 1e-3;
-}
-
-BodyState movedBy(const Flat& step, BodyState state) {
-  for (Eigen::Index i = 0; i < kSize; ++i) {
-    const auto body = static_cast<std::size_t>(i) / kDofs;
-    const Eigen::Index dof = i % static_cast<Eigen::Index>(kDofs);
-    unknown(state, body, dof) += step[i] * unitOf(body, dof);
-  }
-  return state;
-}
 
 constexpr double kForEver_s = 1e12;  ///< a step after which a yaw damper has no force
 
@@ -43,15 +22,26 @@ void shareDeceleration(const BodyLayout& layout, BodyVector& loads) {
     loads[i][kX] -= sum_N * layout.bodies()[i].mass_kg / layout.totalMass();
 }
 
+std::string placed(double location_m, double speed_mps) {
+  char text[96];
+  std::snprintf(text, sizeof text, "cannot start at %.6f km with %.6g m/s: ", location_m / rail::kMetresPerKilometre,
+                speed_mps);
+  return text;
+}
+
 }  // namespace
 
 /// Everything but the contacts; the yaw dampers have come to rest.
-BodyVector Loco3d::computeSteadyLoads(const BodyState& state, const TrackFrames& frames) const {
+/// @param share  of what the frames' turning and tilt do to the bodies, (K1) and (K2)
+BodyVector Loco3d::computeSteadyLoads(const BodyState& state, const TrackFrames& frames, double share) const {
   BodyState copy = state;
   BodyVector loads;
   for (auto& load : loads) load.setZero();
   dynamics_.addInnerForces(copy, kForEver_s, loads, {&frames.gaps(), parameters_.gravity_stiffness});
-  addFrameForces(dynamics_.layout(), frames, state.v, parameters_.structure.spin_momentum_inertia_kg_m2, loads);
+  BodyVector turning;
+  for (auto& load : turning) load.setZero();
+  addFrameForces(dynamics_.layout(), frames, state.v, parameters_.structure.spin_momentum_inertia_kg_m2, turning);
+  for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) loads[i] += share * turning[i];
   return loads;
 }
 
@@ -93,26 +83,34 @@ void Loco3d::followTrack(BodyState& state) const {
   state.q[BodyLayout::kCar][kY] += car_m;
 }
 
-/// Lets the bodies move on the spot, over track that stays as it is there, until its damping has brought them near the
-/// equilibrium that running would bring them to: there may be others, with a wheel up on its flange.
-void Loco3d::settle(BodyState& state, double speed_mps) const {
-  constexpr double kSettling_s = 4.0, kStep_s = 5e-4;  // chosen: the slowest sway falls to a sixth
-  WheelsetContact::Contacts contacts;
-  Vector6 inertia;
+/// One step on the spot, over track that stays as it is there. @return empty, or what takes it off the track
+std::string Loco3d::settleStep(BodyState& state, double share, double h, ContactsOfAxles& contacts,
+                               double* time_in_air_s) const {
+  TrackFrames frames = frames_;
+  frames.place(state.q);
+  frames.computeGaps(state.v);
+  BodyVector loads = computeSteadyLoads(state, frames, share);
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
+    contact_.compute(motionOf(axle, state, frames), contacts[axle]);
+    WheelsetContact::addForces(inertiaOf(axle), h, contacts[axle], loads[BodyLayout::wheelset(axle)], {});
+  }
+  shareDeceleration(dynamics_.layout(), loads);
+  const std::string failure = checkWheels(state, frames, contacts, h, time_in_air_s);
+  return failure.empty() ? dynamics_.step(loads, h, state) : failure;
+}
+
+/// Lets the bodies move on the spot until damping has brought them near the equilibrium that running would bring them
+/// to: there may be others, with a wheel up on its flange. @return empty, or what takes it off the track
+std::string Loco3d::settle(BodyState& state, double speed_mps) const {
+  constexpr double kGrowth_s = 2.0;    // chosen: a sudden push would lift wheels that stay down; the sway takes 1.6 s
+  constexpr double kSettling_s = 5.0;  // chosen: when the push is whole, the slowest sway falls to a quarter
+  constexpr double kStep_s = 5e-4;
+  ContactsOfAxles contacts;
+  std::array<double, 2 * BodyLayout::kAxles> time_in_air_s{};
   for (int i = 0; i < static_cast<int>(kSettling_s / kStep_s); ++i) {
-    TrackFrames frames = frames_;
-    frames.place(state.q);
-    frames.computeGaps(state.v);
-    BodyVector loads = computeSteadyLoads(state, frames);
-    for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
-      const std::size_t body = BodyLayout::wheelset(axle);
-      for (std::size_t k = 0; k < kDofs; ++k)
-        inertia[static_cast<Eigen::Index>(k)] = dynamics_.layout().inertia(body, static_cast<Dof>(k));
-      contact_.compute(motionOf(axle, state, frames), contacts);
-      WheelsetContact::addForces(inertia, kStep_s, contacts, loads[body], {});
-    }
-    shareDeceleration(dynamics_.layout(), loads);
-    if (!dynamics_.step(loads, kStep_s, state).empty()) return;
+    const double share = std::min(1.0, i * kStep_s / kGrowth_s);
+    const std::string failure = settleStep(state, share, kStep_s, contacts, time_in_air_s.data());
+    if (!failure.empty()) return failure;
     for (auto& q : state.q) q[kX] -= kStep_s * speed_mps;
   }
   for (std::size_t i = 0; i < BodyLayout::kBodies; ++i) {
@@ -123,6 +121,17 @@ void Loco3d::settle(BodyState& state, double speed_mps) const {
     state.v[i][kPitch] = omega;
     state.q[i][kPitch] = 0.0;
   }
+  return {};
+}
+
+/// What takes a locomotive off the track that stands in this equilibrium: what is without load stays so.
+std::string Loco3d::checkStanding(const BodyState& state, TrackFrames frames) const {
+  frames.place(state.q);
+  ContactsOfAxles contacts;
+  for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle)
+    contact_.compute(motionOf(axle, state, frames), contacts[axle]);
+  std::array<double, 2 * BodyLayout::kAxles> time_in_air_s{};
+  return checkWheels(state, frames, contacts, 2.0 * parameters_.safety.lift_time_s, time_in_air_s.data());
 }
 
 /// Lowers each wheelset until its wheels carry its share of the weight, by halving.
@@ -138,39 +147,6 @@ void Loco3d::placeWheelsets(BodyState& state) const {
       for (std::size_t k = 0; k < contacts.count; ++k) sum_N += contacts.list[k].force_N().z();
       (sum_N > axle_N ? low_m : high_m) = z_m;
     }
-  }
-}
-
-/// Levenberg's and Marquardt's method: contacts open and close, so that Newton's alone need not arrive.
-void Loco3d::relax(const TrackFrames& frames, BodyState& state) const {
-  const auto loadsAt = [&](const BodyState& at) {
-    const BodyVector loads = computeStaticLoads(at, frames);
-    Flat flat(kSize);
-    for (std::size_t i = 0; i < loads.size(); ++i) flat.segment<kDofs>(static_cast<Eigen::Index>(i * kDofs)) = loads[i];
-    return Flat(flat * 1e-3);
-  };
-  Flat loads = loadsAt(state);
-  double damping = 1e-3;
-  for (int iteration = 0; iteration < 200 && loads.cwiseAbs().maxCoeff() > 1e-9; ++iteration) {
-    Eigen::MatrixXd jacobian(kSize, kSize);
-    for (Eigen::Index column = 0; column < kSize; ++column) {
-      constexpr double kStep = 1e-5;  // of the units
-      jacobian.col(column) = (loadsAt(movedBy(kStep * Flat::Unit(kSize, column), state)) - loads) / kStep;
-    }
-    const Eigen::MatrixXd square = jacobian.transpose() * jacobian;
-    bool better = false;
-    for (int attempt = 0; attempt < 12 && !better; ++attempt) {
-      Eigen::MatrixXd system = square;
-      system.diagonal().array() += damping * (1.0 + 1e-3 * square.diagonal().array());
-      const BodyState moved = movedBy(system.ldlt().solve(-jacobian.transpose() * loads), state);
-      const Flat there = loadsAt(moved);
-      better = there.squaredNorm() < loads.squaredNorm();
-      damping *= better ? 0.1 : 10.0;
-      if (!better) continue;
-      state = moved;
-      loads = there;
-    }
-    if (!better) return;  // as near as it gets
   }
 }
 
@@ -192,24 +168,34 @@ BodyVector Loco3d::computeRest() const {
   return state.q;
 }
 
-std::vector<double> Loco3d::equilibriumState(double location_m, double speed_mps) const {
+LocoStart Loco3d::equilibriumState(double location_m, double speed_mps) const {
   BodyState state = dynamics_.rollingState(location_m, speed_mps, parameters_.structure.wheel_radius_m);
+  std::string failure;
   if (!onStraightTrack(state)) {
     followTrack(state);
-    settle(state, speed_mps);
+    failure = settle(state, speed_mps);
   }
-  relax(frames_, state);
+  if (failure.empty()) {
+    const std::string unbalanced = relax(frames_, state);
+    failure = checkStanding(state, frames_);
+    if (failure.empty()) failure = unbalanced;
+  }
+  if (!failure.empty()) return {{}, placed(location_m, speed_mps) + failure};
   if (onStraightTrack(state))
     for (auto& q : state.q) q[kY] = q[kRoll] = q[kYaw] = 0.0;
-  std::vector<double> flat(dynamics_.stateSize());
-  BodyState at_rest = state;  // the yaw dampers have followed
+  return {packStart(state), {}};
+}
+
+/// Flat, with yaw dampers that have followed, control at rest and all wheels on their rails.
+std::vector<double> Loco3d::packStart(BodyState state) const {
   TrackFrames frames = frames_;
   frames.place(state.q);
   frames.computeGaps(state.v);
   BodyVector loads;
   for (auto& load : loads) load.setZero();
-  dynamics_.addInnerForces(at_rest, kForEver_s, loads, {&frames.gaps(), parameters_.gravity_stiffness});
-  dynamics_.pack(at_rest, flat.data());
+  dynamics_.addInnerForces(state, kForEver_s, loads, {&frames.gaps(), parameters_.gravity_stiffness});
+  std::vector<double> flat(dynamics_.stateSize());
+  dynamics_.pack(state, flat.data());
   const std::vector<double> control = drive_.initialState();
   flat.insert(flat.end(), control.begin(), control.end());
   flat.insert(flat.end(), 2 * BodyLayout::kAxles, 0.0);

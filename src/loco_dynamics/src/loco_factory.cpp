@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "loco_dynamics/bogie_in_curve.hpp"
 #include "loco_dynamics/contact/contact_config.hpp"
 #include "loco_dynamics/contact/creepage.hpp"
 #include "loco_dynamics/loco_1d.hpp"
@@ -49,40 +50,20 @@ WheelsOnRails readWheelsOnRails(rail::YamlReader reader, double wheel_radius_m) 
   const WheelRailGeometry geometry = WheelRailGeometry::read(reader, wheel_radius_m);
   if (reader.problems().count() != before) return {};
   return {std::make_shared<const ContactFinderOf<ContactSearch>>(ContactSearch(geometry)),
-          geometry.computeClimbRise_m()};
-}
-
-/// The scenario's track, where a bogie's rigid wheelbase fits into all curves.
-std::shared_ptr<const rail::Track> readTrack(rail::YamlReader& root, const LocoStructure& structure) {
-  const std::size_t before = root.problems().count();
-  auto track = std::make_shared<const rail::Track>(rail::Track::read(root.map("track")));
-  if (root.problems().count() != before) return nullptr;
-  constexpr double kLargestOffset_m = 0.015;  // chosen: as much as flanges have play between the rails
-  const double wheelbase_m = structure.bodies[BodyLayout::wheelset(0)].p_T.x() -
-                             structure.bodies[BodyLayout::wheelset(BodyLayout::kAxlesPerBogie - 1)].p_T.x();
-  const double smallest_m = wheelbase_m * wheelbase_m / (8.0 * kLargestOffset_m);
-  if (track->largestCurvature() * smallest_m > 1.0) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "has a curve of %.4g m radius; a bogie with a wheelbase of %.4g m needs at least %.4g m",
-                  1.0 / track->largestCurvature(), wheelbase_m, smallest_m);
-    root.refuse("track", text);
-    return nullptr;
-  }
-  return track;
+          geometry.computeClimbRise_m(), computeFlangePlay_m(geometry)};
 }
 
 std::unique_ptr<Locomotive> makeLoco3d(rail::YamlReader& root, const LocoDetails& details, const ModelOptions& options,
                                        double adhesion_limit, rail::Nanoseconds micro_step) {
   Loco3d::Parameters p;
   p.structure = details.structure;
-  p.track = readTrack(root, details.structure);
-  if (p.track == nullptr) return nullptr;
   const SpatialOptions spatial = readSpatialOptions(root);
   const std::size_t before = root.problems().count();
   const WheelsOnRails wheels =
       spatial.profiles ? readWheelsOnRails(*spatial.profiles, details.structure.wheel_radius_m) : details.wheels;
   if (root.problems().count() != before) return nullptr;
+  p.track = readTrackForBogies(root, details.structure, wheels.flange_play_m);
+  if (p.track == nullptr) return nullptr;
   p.finder = wheels.finder;
   p.safety.climb_rise_m = wheels.climb_rise_m;
   p.gravity_stiffness = spatial.gravity_stiffness;

@@ -8,7 +8,10 @@ void LocoSession::start(std::unique_ptr<Locomotive> locomotive, const JoinAnswer
   locomotive_ = std::move(locomotive);
   id_ = joined.id;
   next_step_ = joined.step;
-  state_ = joined.state.empty() ? locomotive_->equilibriumState(joined.location_m, joined.speed_mps) : joined.state;
+  LocoStart start{joined.state, {}};
+  if (joined.state.empty()) start = locomotive_->equilibriumState(joined.location_m, joined.speed_mps);
+  state_ = std::move(start.state);
+  start_failure_ = std::move(start.failure);
   answered_ = false;
   needs_join_ = false;
   message_.id = id_;
@@ -38,7 +41,11 @@ const TractionMessage* LocoSession::onForce(const ForceMessage& message) {
 }
 
 const TractionMessage* LocoSession::compute(const LocoForce& force) {
-  locomotive_->step(state_, force, message_.traction);
+  if (start_failure_.empty()) {
+    locomotive_->step(state_, force, message_.traction);
+  } else {
+    message_.traction = failedAnswer(force, start_failure_);
+  }
   message_.kind = message_.traction.failure.empty() ? TractionMessage::Kind::kAnswer : TractionMessage::Kind::kFailed;
   state_ = message_.traction.state;
   last_force_ = force;

@@ -24,9 +24,9 @@ void TrackFrames::place(const BodyVector& q) {
     frame.irregular = i >= BodyLayout::wheelset(0) && track_->irregularity().covers(frame.s_m);
     if (frame.irregular) frame.rails = track_->irregularity().at(frame.s_m);
     if (!track_->canted()) continue;
-    const rail::TrackCant cant = track_->cant(frame.s_m, kCantWindow_m, hints_[i]);
-    frame.roll_rad = cant.left_m / kRailDistance_m;
-    frame.roll_slope_1pm = cant.slope / kRailDistance_m;
+    const rail::TrackCant cant = track_->cant(frame.s_m, rail::kCantWindow_m, hints_[i]);
+    frame.roll_rad = cant.computeRoll_rad();
+    frame.roll_slope_1pm = cant.computeRollSlope_1pm();
     frame.rise_m = 0.5 * cant.outer_m;  // it turns about the inner rail
     frame.rise_slope = 0.5 * cant.outer_slope;
   }

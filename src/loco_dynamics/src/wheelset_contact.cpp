@@ -120,7 +120,6 @@ void WheelsetContact::computeNormalForces(const Vector6& v, Contact* first, std:
   for (Contact* c = first; c != first + count; ++c) {
     const double delta = c->region.approach_m;
     c->elastic_N = c->region.share * hertz_.at(c->region.curvature).stiffness * delta * std::sqrt(delta);
-    c->stored_J = 0.4 * c->elastic_N * delta;
     sum_N += c->elastic_N;
   }
   for (Contact* c = first; c != first + count; ++c) {

@@ -48,7 +48,7 @@ inline Loco2d::Parameters paperParameters(const std::string& control = "pi_per_a
 /// A locomotive stepped together with LTD's idea of it.
 struct Ride {
   Ride(const Loco2d::Parameters& parameters, double v_mps, rail::Nanoseconds macro_step = kMacro)
-      : locomotive(parameters), state(locomotive.equilibriumState(3000.0, v_mps)), ltd_speed(v_mps) {
+      : locomotive(parameters), state(locomotive.equilibriumState(3000.0, v_mps).state), ltd_speed(v_mps) {
     force.step_length = macro_step;
     force.speed_mps = v_mps;
     force.rim_power_limit_W = 4.1e6;

@@ -185,7 +185,7 @@ TEST(Loco2dTest, CreepForceNeverPassesWhatFrictionOffersHoweverStiffTheCreep) {
 TEST(Loco2dTest, BodiesStandAtTheHeightsOfTheirFileInEquilibrium) {
   const loco::LocoStructure s = fixtures::paperStructure();
   const Loco2d locomotive(fixtures::paperParameters());
-  const std::vector<loco::BodyPose> poses = locomotive.computePoses(locomotive.equilibriumState(3000.0, 5.0));
+  const std::vector<loco::BodyPose> poses = locomotive.computePoses(locomotive.equilibriumState(3000.0, 5.0).state);
   ASSERT_EQ(poses.size(), 9u);
   const char* const names[] = {"car_body", "bogie_frame_1", "bogie_frame_2"};
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(poses[i].name, names[i]);

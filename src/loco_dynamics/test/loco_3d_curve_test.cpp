@@ -252,8 +252,9 @@ double huntingRange(double k0, double v_mps) {
 TEST(Loco3dCurveTest, HuntingDiesOutBelowACriticalSpeed) {
   rail::verify({"12", "hunting, k0 = 1, 40 m/s: range after 7 s", "independent model: dies out", "mm", 0.0,
                 huntingRange(1.0, 40.0), 0.3, "a tenth of the start"});
-  rail::verify({"12", "hunting, k0 = 1, 50 m/s: range after 7 s", "independent model: limit cycle", "mm", 6.0,
-                huntingRange(1.0, 50.0), 3.0, "it goes on, about from flange to flange"});
+  rail::verify({"12", "hunting, k0 = 1, 50 m/s: range after 7 s", "own earlier figure; independent model: limit cycle",
+                "mm", 5.7, huntingRange(1.0, 50.0), 0.3,
+                "read off every 2 ms; no oracle, but what changes it is to be told"});
   rail::verify({"12", "hunting, k0 = 0.075, 90 m/s: range after 7 s", "independent model: dies out", "mm", 0.0,
                 huntingRange(0.075, 90.0), 0.3, "a tenth of the start"});
 }
@@ -267,8 +268,8 @@ TEST(Loco3dCurveTest, ALateralPushThatIsTooHardEndsWithTheWheelsName) {
     ride.locomotive.step(ride.state, ride.force, ride.answer);
     ride.state = ride.answer.state;
   }
-  EXPECT_NE(ride.answer.failure.find("wheelset 1"), std::string::npos) << ride.answer.failure;
-  EXPECT_NE(ride.answer.failure.find(" km: "), std::string::npos) << ride.answer.failure;
+  EXPECT_EQ(ride.answer.failure,
+            "wheelset 1, left wheel, at 3.008517 km: flange climb, it runs beyond the flange's largest angle");
 }
 
 }  // namespace

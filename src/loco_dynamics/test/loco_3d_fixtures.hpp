@@ -26,11 +26,11 @@ auto readFile(const std::string& file, Read read, const std::vector<rail::Overri
 
 /// Straight from 0, a transition from 3.3 km, R300 to 3.55 km and back to straight.
 inline std::shared_ptr<const rail::Track> makeTrack(const std::string& direction = "left", double cant_mm = 0.0,
-                                                    double transition_m = 50.0) {
+                                                    double transition_m = 50.0, double radius_m = 300.0) {
   const std::string text =
       "name: curve\nstart_km: 0\nend_km: 10\ngrades: [{from_km: 0, grade_permille: 0}]\n"
-      "curves: [{start_km: 3.3, radius_m: 300, direction: " +
-      direction + ", transition_in_m: " + std::to_string(transition_m) +
+      "curves: [{start_km: 3.3, radius_m: " +
+      std::to_string(radius_m) + ", direction: " + direction + ", transition_in_m: " + std::to_string(transition_m) +
       ", circular_m: 200, transition_out_m: " + std::to_string(transition_m) + ", cant_mm: " + std::to_string(cant_mm) +
       "}]\nspeed_limits: [{from_km: 0, limit_kmph: 80}]\n";
   rail::Problems problems;
@@ -62,7 +62,7 @@ inline loco::Loco3d::Parameters paperParameters3d(const std::string& control = "
 /// A locomotive and the train that it feels as a force at its rear coupler, stepped together as LTD does it.
 struct Ride3d {
   Ride3d(const loco::Loco3d::Parameters& parameters, double v_mps, double location_m = 3000.0)
-      : locomotive(parameters), state(locomotive.equilibriumState(location_m, v_mps)), ltd_speed(v_mps) {
+      : locomotive(parameters), state(locomotive.equilibriumState(location_m, v_mps).state), ltd_speed(v_mps) {
     force.step_length = 2000000;
     force.speed_mps = v_mps;
     force.rim_power_limit_W = 4.1e6;

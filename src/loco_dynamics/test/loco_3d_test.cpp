@@ -105,7 +105,9 @@ TEST(Loco3dTest, UnderTractionLoadMovesToTheRearByTheMomentOfTheCoupler) {
   EXPECT_NEAR(sumOfLoads(ride.answer), fixtures::kWeight_N, 1.0);
 }
 
-/// With the 2D locomotive's patch on each wheel and forces at undisplaced points it is the 2D locomotive.
+/// With the 2D locomotive's patch on each wheel and forces at undisplaced points it is the 2D locomotive. While slip
+/// builds up (W5) and (P2) differ in the order of the step: 3.7 kN in the first 0.1 s, 1.4 kN in the second, and half
+/// of that with half the step; what they leave dies out.
 TEST(Loco3dTest, WithAGivenPatchItIsThePlanarModel) {
   Loco3d::Parameters p = fixtures::paperParameters3d();
   p.finder = fixtures::finderOf(fixtures::GivenPatch{});
@@ -118,15 +120,15 @@ TEST(Loco3dTest, WithAGivenPatchItIsThePlanarModel) {
                        p.adhesion_limit,
                        p.micro_step});
   Ride3d ride(p, 4.42);
-  std::vector<double> state = planar.equilibriumState(3000.0, 4.42);
+  std::vector<double> state = planar.equilibriumState(3000.0, 4.42).state;
   loco::LocoTraction answer;
   ride.force.traction_reference_N = 490e3;
   for (int i = 0; i < 3000; ++i) {
     planar.step(state, ride.force, answer);
     state = answer.state;
     ride.step();
-    ASSERT_NEAR(ride.answer.traction_N, answer.traction_N, 5e3)
-        << i;  // (W5) and (P2) differ by O(h) while slip builds up
+    const double most_N = i < 150 ? 4e3 : i < 500 ? 160.0 : 35.0;
+    ASSERT_NEAR(ride.answer.traction_N, answer.traction_N, most_N) << i;
     ride.force.coupler_rear_N = -ride.answer.traction_N;
   }
   rail::verify({"9", "given patch: traction under control after 6 s", "2D locomotive", "N", answer.traction_N,

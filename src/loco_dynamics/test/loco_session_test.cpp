@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "loco_dynamics/local_port.hpp"
 #include "loco_dynamics/loco_1d.hpp"
 
 namespace {
@@ -123,6 +124,44 @@ TEST_F(LocoSessionTest, WithoutAStateItStartsInEquilibriumAtThePlaceGiven) {
   ASSERT_NE(answer, nullptr);
   EXPECT_DOUBLE_EQ(answer->traction.speed_mps, 1.5 + 0.002 * 10000.0 / 134000.0);
   EXPECT_DOUBLE_EQ(answer->traction.location_m, 3000.0 + 0.002 * answer->traction.speed_mps);
+}
+
+/// Stands nowhere.
+class Derailed : public loco::Loco1d {
+ public:
+  Derailed() : Loco1d({134000.0, 134000.0, 0.35}) {}
+  loco::LocoStart equilibriumState(double, double) const override { return {{}, "wheelset 1: wheel lift"}; }
+};
+
+TEST_F(LocoSessionTest, WhereItCannotStartEveryStepFailsWithTheReason) {
+  joined_.state.clear();
+  session_.start(std::make_unique<Derailed>(), joined_);
+  for (int i = 0; i < 2; ++i) {
+    const loco::TractionMessage* answer = session_.onForce(force(10));
+    ASSERT_NE(answer, nullptr);
+    EXPECT_EQ(answer->kind, Kind::kFailed);
+    EXPECT_EQ(answer->traction.step, 10u);
+    EXPECT_EQ(answer->traction.failure, "wheelset 1: wheel lift");
+  }
+}
+
+TEST_F(LocoSessionTest, AfterAStartThatFailedItGoesOnFromAState) {
+  loco::JoinAnswer nowhere = joined_;
+  nowhere.state.clear();
+  session_.start(std::make_unique<Derailed>(), nowhere);
+  start();
+  EXPECT_EQ(session_.onForce(force(10))->kind, Kind::kAnswer);
+}
+
+TEST(LocalPortTest, WhereItCannotStartItsAnswerIsTheReason) {
+  loco::LocalPort port(std::make_unique<Derailed>());
+  loco::LocoForce force;
+  force.step = 7;
+  port.send(force, {});
+  EXPECT_EQ(port.answer()->step, 7u);
+  EXPECT_EQ(port.answer()->failure, "wheelset 1: wheel lift");
+  port.send(force, {100.0, 5.0});
+  EXPECT_EQ(port.answer()->failure, "");
 }
 
 }  // namespace

@@ -175,7 +175,9 @@ TEST_F(ProfileConfigTest, BadFilesAreNamed) {
 TEST_F(ProfileConfigTest, WheelsetsThatDoNotFitTheTrackAreRefused) {
   const std::string pair = "{wheel: S1002, rail: UIC60, inclination: 40, ";
   read(pair + "gauge_mm: 1424, flange_back_mm: 1360}\n");
-  EXPECT_TRUE(has(lines(), "gauge_mm = 1424: gauge too narrow for the wheelset: its flanges are 1425.0 mm apart"))
+  EXPECT_TRUE(has(lines(),
+                  "gauge_mm = 1424: gauge too narrow for the wheelset: its flanges are 1425.0 mm apart outside, 10 mm "
+                  "below the taping line, with flange_back_mm = 1360.0"))
       << lines();
   read(pair + "gauge_mm: 1600, flange_back_mm: 1360}\n");
   EXPECT_TRUE(has(lines(), "gauge too wide for the wheelset")) << lines();

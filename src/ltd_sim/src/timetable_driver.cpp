@@ -17,6 +17,8 @@ constexpr double kLargestIntegral_mps2 = 0.02;  // chosen: 2 permille of grade
 constexpr double kLargestStart_mps2 = 0.5;      // chosen: more than a freight train's traction gives
 constexpr double kBrakeBand_mps = 0.5;     // chosen: he brakes for the timetable's sake only this much above cruising
 constexpr double kIndifferent_mps = 0.25;  // chosen: 1 km/h that he does not answer, or notches would follow each other
+constexpr double kRolls_mps =
+    4.0;  // chosen: no traction downhill where the train gains speed by itself, if so near to it
 constexpr double kSlowestCruise_mps = 3.0;  // chosen: slower than that he would rather be early
 constexpr double kStanding_mps = 0.05;
 constexpr double kStopTolerance_m = 20.0;  // chosen: nearer to the stop he does not move up
@@ -116,26 +118,34 @@ void TimetableDriver::drive(const DriverView& view, State& state, DriverCommand&
   const double permitted = permittedSpeed(s, state);
   const double after = permittedSpeed(s + kSlope_m, state);
   const double slope = std::clamp((after * after - permitted * permitted) / (2.0 * kSlope_m), -deceleration_mps2_, 0.0);
-  const auto wanted = [&](double reference_mps) {  // (V7)
+  const auto force = [&](double reference_mps, double integral_mps2) {  // (V7)
     const double a_ref = reference_mps < permitted ? 0.0 : permitted > 0.0 ? slope : -deceleration_mps2_;
     const double error = reference_mps - v;
-    const double a_pi = kP_1ps * (error - std::clamp(error, -kIndifferent_mps, kIndifferent_mps)) + state.integral_mps2;
-    return ability_.mass_kg * std::min(a_ref + a_pi, kLargestStart_mps2) - known_N;
+    const double a_p = kP_1ps * (error - std::clamp(error, -kIndifferent_mps, kIndifferent_mps));
+    return ability_.mass_kg * std::min(a_ref + a_p + integral_mps2, kLargestStart_mps2) - known_N;
   };
   const double reference = std::min(permitted, state.cruise_mps);
-  const double error = reference - view.speed_mps;
-  if (std::fabs(error) > kIndifferent_mps && std::fabs(error) < 1.0)  // chosen: not far off, or it would wind up
-    state.integral_mps2 = std::clamp(state.integral_mps2 + kI_1ps2 * error * rail::toSeconds(kControlPeriod),
-                                     -kLargestIntegral_mps2, kLargestIntegral_mps2);
-  const double brake_N = std::max(0.0, -wanted(std::min(permitted, state.cruise_mps + kBrakeBand_mps)));
-  controls_.apply(wanted(reference), brake_N, ability_, view, state.controls, lead);
+  integrate(reference - view.speed_mps, state, lead);
+  const double brake_reference = std::min(permitted, state.cruise_mps + kBrakeBand_mps);
+  const bool rolls = known_N > 0.0 && reference - v < kRolls_mps;
+  const DriverControls::Wanted wanted{rolls ? 0.0 : force(reference, state.integral_mps2),
+                                      std::max(0.0, -force(brake_reference, 0.0)), brake_reference - v};
+  controls_.apply(wanted, ability_, view, state.controls, lead);
   if (state.leaving && view.traction_N + view.grade_N > 0.0) state.leaving = false;
   lead.independent_brake = state.leaving ? 1.0 : 0.0;
 }
 
-/// Stands: traction and dynamic brake off, what air there is stays, the locomotives' own brake holds.
+/// The integral knows what the feed-forward does not, while traction pulls near the reference; else it would wind up.
+void TimetableDriver::integrate(double error_mps, State& state, const DriverCommand& lead) const {
+  const bool pulls = lead.notch > 0 && std::fabs(error_mps) < 1.0;  // chosen: 4 km/h
+  if (!pulls || std::fabs(error_mps) < kIndifferent_mps) return;
+  state.integral_mps2 = std::clamp(state.integral_mps2 + kI_1ps2 * error_mps * rail::toSeconds(kControlPeriod),
+                                   -kLargestIntegral_mps2, kLargestIntegral_mps2);
+}
+
+/// Stands: the air brake and the locomotives' own hold.
 void TimetableDriver::hold(const DriverView& view, State& state, DriverCommand& lead) const {
-  controls_.apply(0.0, 0.0, ability_, view, state.controls, lead);
+  controls_.hold(ability_, view, state.controls, lead);
   lead.independent_brake = 1.0;
 }
 

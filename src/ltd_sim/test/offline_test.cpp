@@ -95,6 +95,23 @@ TEST_F(RunOfflineTest, AFailedRunGives1AndStillItsFolder) {
   EXPECT_TRUE(fixtures::contains(said_, "failed:")) << said_;
 }
 
+TEST_F(RunOfflineTest, ALocomotiveThatCannotStandAtItsStartFailsTheRunWithWheelCauseAndPlace) {
+  EXPECT_EQ(
+      offline({"--set", "locomotive_model=3d", "--set",
+               "adhesion_file=" + std::string(CONFIG_DIR) + "/adhesion/paper_table1.yaml", "--set",
+               "control_file=" + std::string(CONFIG_DIR) + "/control/pi_per_axle.yaml", "--set",
+               "train.groups.0.count=1", "--set", "run.start_location_km=3.45", "--set", "run.start_speed_kmph=126",
+               "--set", "output.report_locations_km=[3.5]", "--set", "output.section_boundaries_km=[3.45, 3.5]"}),
+      1)
+      << complained_;
+  EXPECT_TRUE(fixtures::contains(read("out/outcome.yaml"), "outcome: failed"));
+  EXPECT_TRUE(fixtures::contains(
+      read("out/outcome.yaml"),
+      "loco_1: cannot start at 3.450000 km with 35 m/s: wheelset 1, left wheel, at 3.458496 km: wheel lift, no "
+      "contact with its rail in step 0 at 3.450 km"))
+      << read("out/outcome.yaml");
+}
+
 TEST_F(RunOfflineTest, RefusedInputGives2AndNothingIsWritten) {
   EXPECT_EQ(offline({"--set", "steps.macro_step_s=0.02", "--set", "run.end_location_km=99"}), 2);
   EXPECT_TRUE(fixtures::contains(complained_, "steps.macro_step_s = 0.02: must be below"));

@@ -23,8 +23,8 @@ class AccountPort : public loco::LocoPort {
   explicit AccountPort(std::unique_ptr<loco::Locomotive> made)
       : locomotive_(std::move(made)), model_(dynamic_cast<loco::Loco2d&>(*locomotive_)) {}
   void send(const loco::LocoForce& force, const std::vector<double>& state) override {
-    locomotive_->step(state.empty() ? locomotive_->equilibriumState(force.location_m, force.speed_mps) : state, force,
-                      answer_);
+    locomotive_->step(state.empty() ? locomotive_->equilibriumState(force.location_m, force.speed_mps).state : state,
+                      force, answer_);
     motors_J += model_.account().motors;
     residual_J += model_.account().residual();
   }

@@ -71,6 +71,12 @@ TrackStretch Track::stretch(double from_m, double to_m, std::size_t& hint) const
   }
 }
 
+double TrackCant::computeRoll_rad() const { return std::asin(left_m / kCantBaseline_m); }
+
+double TrackCant::computeRollSlope_1pm() const {
+  return slope / std::sqrt(kCantBaseline_m * kCantBaseline_m - left_m * left_m);
+}
+
 TrackCant Track::cant(double s_m, double window_m, std::size_t& hint) const {
   if (!canted_) return {};
   hint = findPiece(s_m, hint);

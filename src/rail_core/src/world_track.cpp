@@ -5,13 +5,6 @@
 
 namespace rail {
 
-namespace {
-
-constexpr double kCantWindow_m = 3.0;  // as the locomotives feel it
-constexpr double kBaseline_m = 1.5;    // between the rail tops, over which cant is measured
-
-}  // namespace
-
 WorldTrack::WorldTrack(const Track& track) : track_(track) {
   const auto count = static_cast<std::size_t>((track.end_m() - track.start_m()) / kSpacing_m) + 1;
   nodes_.push_back({0.0, 0.0, 0.0});
@@ -46,7 +39,7 @@ TrackPose WorldTrack::at(double s_m) const {
   pose.z_m = point.height_m;
   pose.heading_rad = node.heading_rad;
   pose.pitch_rad = -std::atan(point.grade);
-  pose.roll_rad = std::asin(std::clamp(track_.cant(s_m, kCantWindow_m, hint).left_m / kBaseline_m, -1.0, 1.0));
+  pose.roll_rad = track_.cant(s_m, kCantWindow_m, hint).computeRoll_rad();
   return pose;
 }
 

@@ -93,6 +93,18 @@ TEST(TrackPlanTest, CantLiftsTheRailOutsideTheCurve) {
   EXPECT_FALSE(curve().canted());
 }
 
+TEST(TrackPlanTest, CantsRollHasTheCantOverTheRailsDistanceAsItsSine) {
+  std::size_t hint = 0;
+  const Track track = curve("left", 150.0);
+  EXPECT_NEAR(track.cant(135.0, 3.0, hint).computeRoll_rad(), -0.1001674211615598,
+              1e-12);  // the left rail is the lower
+  for (const double s : {100.5, 110.0, 118.0}) {
+    const double d = 1e-4, up = track.cant(s + d, 3.0, hint).computeRoll_rad(),
+                 down = track.cant(s - d, 3.0, hint).computeRoll_rad();
+    EXPECT_NEAR((up - down) / (2.0 * d), track.cant(s, 3.0, hint).computeRollSlope_1pm(), 1e-9) << s;
+  }
+}
+
 TEST(TrackPlanTest, CantBendsGraduallyOverItsWindow) {
   const Track track = curve("left", 80.0);
   std::size_t hint = 0;

@@ -13,10 +13,15 @@ class LocalPort : public LocoPort {
   explicit LocalPort(std::unique_ptr<Locomotive> locomotive) : locomotive_(std::move(locomotive)) {}
 
   void send(const LocoForce& force, const std::vector<double>& state) override {
-    if (state.empty()) {
-      locomotive_->step(locomotive_->equilibriumState(force.location_m, force.speed_mps), force, answer_);
-    } else {
+    if (!state.empty()) {
       locomotive_->step(state, force, answer_);
+      return;
+    }
+    const LocoStart start = locomotive_->equilibriumState(force.location_m, force.speed_mps);
+    if (start.failure.empty()) {
+      locomotive_->step(start.state, force, answer_);
+    } else {
+      answer_ = failedAnswer(force, start.failure);
     }
   }
   const LocoTraction* answer() override { return &answer_; }

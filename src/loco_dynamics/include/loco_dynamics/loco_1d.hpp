@@ -19,7 +19,7 @@ class Loco1d : public Locomotive {
   explicit Loco1d(const Parameters& parameters);
 
   std::size_t stateSize() const override { return 2; }
-  std::vector<double> equilibriumState(double location_m, double speed_mps) const override;
+  LocoStart equilibriumState(double location_m, double speed_mps) const override;
   void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
   /// The car body alone, at no height: this model has none.
   std::vector<BodyPose> computePoses(const std::vector<double>& state) const override;

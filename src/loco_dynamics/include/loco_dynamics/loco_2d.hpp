@@ -31,7 +31,7 @@ class Loco2d : public Locomotive {
   explicit Loco2d(const Parameters& parameters);
 
   std::size_t stateSize() const override;
-  std::vector<double> equilibriumState(double location_m, double speed_mps) const override;
+  LocoStart equilibriumState(double location_m, double speed_mps) const override;
   void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
   std::vector<BodyPose> computePoses(const std::vector<double>& state) const override;
 

@@ -40,7 +40,7 @@ class Loco3d : public Locomotive {
 
   std::size_t stateSize() const override;
   /// In quasi-static equilibrium at this place, straight or curved, running freely.
-  std::vector<double> equilibriumState(double location_m, double speed_mps) const override;
+  LocoStart equilibriumState(double location_m, double speed_mps) const override;
   void step(const std::vector<double>& state, const LocoForce& force, LocoTraction& answer) override;
   std::vector<BodyPose> computePoses(const std::vector<double>& state) const override;
 
@@ -56,6 +56,7 @@ class Loco3d : public Locomotive {
   BodyVector computeStaticLoads(const BodyState& state) const;
 
  private:
+  using ContactsOfAxles = std::array<WheelsetContact::Contacts, BodyLayout::kAxles>;
   struct Scratch {  ///< forces on the bodies in a micro step, by origin
     BodyVector inner, outer, frame, loads;
   };
@@ -64,18 +65,24 @@ class Loco3d : public Locomotive {
   void addTurning(double h);
   std::string stepMicro(const LocoForce& force, double* control_state, double h, LocoTraction& answer);
   void book(const BodyVector& v_old, double h, LocoTraction& answer);
-  std::string checkWheels(double h, double* time_in_air_s) const;
+  Vector6 inertiaOf(std::size_t axle) const;
+  std::string checkWheels(const BodyState& state, const TrackFrames& frames, const ContactsOfAxles& contacts, double h,
+                          double* time_in_air_s) const;
   void report(AdhesionReport& out) const;
   WheelsetMotion motionOf(std::size_t axle, const BodyState& state, const TrackFrames& frames) const;
   Placement placement() const { return {&frames_.gaps(), parameters_.gravity_stiffness}; }
-  BodyVector computeSteadyLoads(const BodyState& state, const TrackFrames& frames) const;
+  BodyVector computeSteadyLoads(const BodyState& state, const TrackFrames& frames, double share = 1.0) const;
   BodyVector computeRest() const;
   bool onStraightTrack(const BodyState& state) const;
   void placeWheelsets(BodyState& state) const;
-  void settle(BodyState& state, double speed_mps) const;
+  std::string settleStep(BodyState& state, double share, double h, ContactsOfAxles& contacts,
+                         double* time_in_air_s) const;
+  std::string settle(BodyState& state, double speed_mps) const;
+  std::string checkStanding(const BodyState& state, TrackFrames frames) const;
+  std::vector<double> packStart(BodyState state) const;
   void followTrack(BodyState& state) const;
   BodyVector computeStaticLoads(const BodyState& state, TrackFrames frames) const;
-  void relax(const TrackFrames& frames, BodyState& state) const;
+  std::string relax(const TrackFrames& frames, BodyState& state) const;
 
   Parameters parameters_;
   mutable BodyDynamics dynamics_;
@@ -84,7 +91,7 @@ class Loco3d : public Locomotive {
   BodyState state_;
   TrackFrames frames_, next_frames_;
   Scratch scratch_;
-  std::array<WheelsetContact::Contacts, BodyLayout::kAxles> contacts_;
+  ContactsOfAxles contacts_;
   std::array<double, BodyLayout::kAxles> shoe_N_m_{};  ///< torque of the shoes on the wheelset
   Account account_;
 };

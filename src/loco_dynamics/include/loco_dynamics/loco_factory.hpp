@@ -60,7 +60,8 @@ SpatialOptions readSpatialOptions(rail::YamlReader& root);
 /// A wheelset's profiles on their track.
 struct WheelsOnRails {
   std::shared_ptr<const ContactFinder> finder;
-  double climb_rise_m = 0.0;  ///< see WheelRailGeometry
+  double climb_rise_m = 0.0;   ///< see WheelRailGeometry
+  double flange_play_m = 0.0;  ///< see computeFlangePlay_m()
 };
 
 /// What a locomotive's own map says of its bodies and contacts.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "loco_dynamics/exchange.hpp"
@@ -48,6 +49,7 @@ class LocoSession {
   bool answered_ = false;  ///< message_ holds the answer to next_step_ - 1
   std::uint64_t next_step_ = 0;
   std::vector<double> state_;  ///< at the start of next_step_
+  std::string start_failure_;  ///< why there is none, or empty: then every step fails with it
   LocoForce last_force_;
   TractionMessage message_;
   TractionMessage need_state_;

@@ -16,6 +16,20 @@ struct BodyPose {
   double roll_rad = 0.0, pitch_rad = 0.0, yaw_rad = 0.0;  ///< small but a wheelset's pitch, which is its spin angle
 };
 
+/// Where a locomotive starts, or why it cannot.
+struct LocoStart {
+  std::vector<double> state;
+  std::string failure;  ///< empty, or why nothing stands there: then there is no state
+};
+
+/// The answer of a locomotive that cannot start.
+inline LocoTraction failedAnswer(const LocoForce& force, const std::string& failure) {
+  LocoTraction answer;
+  answer.step = force.step;
+  answer.failure = failure;
+  return answer;
+}
+
 /// One locomotive's dynamics between two exchanges with the train: the interface that the 1D, 2D and 3D models
 /// implement. A locomotive is a pure function (s_k, F_k) -> (s_k+1, answer): the object holds constants and scratch
 /// memory only, so whoever holds s_k can repeat the step anywhere, with the same bits.
@@ -27,7 +41,7 @@ class Locomotive {
   virtual std::size_t stateSize() const = 0;
 
   /// State in equilibrium, running freely at `speed_mps` at chainage `location_m`.
-  virtual std::vector<double> equilibriumState(double location_m, double speed_mps) const = 0;
+  virtual LocoStart equilibriumState(double location_m, double speed_mps) const = 0;
 
   /// Advances by one macro step.
   /// @param state   s_k, of stateSize()

@@ -25,9 +25,6 @@ struct TrackFrame {
 /// The track frames of all bodies of a locomotive. Copyable.
 class TrackFrames {
  public:
-  static constexpr double kCantWindow_m = 3.0;    ///< chosen: shorter run-offs would hide an impulse
-  static constexpr double kRailDistance_m = 1.5;  ///< between the rails' contacts, over which cant is measured
-
   TrackFrames(const BodyLayout& layout, const rail::Track* track);
 
   /// Places the frames at the bodies' arc lengths. @param q  see BodyState: s = q.x + nominal place

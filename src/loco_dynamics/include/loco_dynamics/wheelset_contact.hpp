@@ -14,7 +14,7 @@ namespace loco {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Up to three contacts of one wheel.
+/// How a wheelset moves, and where.
 struct WheelsetMotion {
   Vector6 q;                   ///< position in the wheelset's track frame
   Vector6 v;                   ///< velocity there; the pitch's is the spin omega
@@ -60,7 +60,6 @@ class WheelsetContact {
     ContactRegion region;
     double a_m = 0.0, b_m = 0.0;
     double normal_N = 0.0, elastic_N = 0.0;  ///< with and without damping
-    double stored_J = 0.0;
     Creepage creepage;
     double friction = 0.0;
     Eigen::Vector2d slip_mps = Eigen::Vector2d::Zero();         ///< along x, t

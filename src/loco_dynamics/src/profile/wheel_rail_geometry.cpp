@@ -84,7 +84,8 @@ std::vector<WheelRailGeometry::Misfit> WheelRailGeometry::findMisfits() const {
   const double flanges_m = 2.0 * (taping_line_m_ - flange_face_m_);
   if (flanges_m >= dimensions_.gauge_m) {
     misfits.push_back({"gauge_mm", "gauge too narrow for the wheelset: its flanges are " + millimetres(flanges_m) +
-                                       " mm apart outside, 10 mm below the taping line"});
+                                       " mm apart outside, 10 mm below the taping line, with flange_back_mm = " +
+                                       millimetres(dimensions_.flange_back_m)});
     return misfits;
   }
   if (rail_top_m_ > taping_line_m_ + wheel_.end_m() - kLeastTread_m) {

@@ -21,23 +21,33 @@ class DriverControls {
     rail::Nanoseconds notch_changed = 0;
     rail::Nanoseconds brake_notch_changed = 0;
     rail::Nanoseconds air_changed = 0;
+    int last_notch_move = 0, last_brake_notch_move = 0;
     double reduction_Pa = 0.0;  ///< of the pipe, from charged
   };
 
-  /// @param traction_N  wanted at the rail, <= 0: none
-  /// @param brake_N  wanted of all brakes together, >= 0
-  void apply(double traction_N, double brake_N, const TrainAbility& ability, const DriverView& view, State& state,
+  /// What the driver wants of the train now.
+  struct Wanted {
+    double traction_N = 0.0;  ///< at the rail, <= 0: none
+    double brake_N = 0.0;     ///< of all brakes together, >= 0
+    double slack_mps = 0.0;   ///< so much slower than he would brake for
+  };
+
+  void apply(const Wanted& wanted, const TrainAbility& ability, const DriverView& view, State& state,
              DriverCommand& lead) const;
+
+  /// Holds a standing train: idle, no dynamic brake, the pipe reduced.
+  void hold(const TrainAbility& ability, const DriverView& view, State& state, DriverCommand& lead) const;
 
   Settings settings;
 
  private:
+  rail::Nanoseconds holdTime(int move, int last_move, bool quick) const;
   void moveNotch(double wanted_N, const TrainAbility& ability, const DriverView& view, State& state,
                  DriverCommand& lead) const;
   void moveBrakeNotch(double wanted_N, const TrainAbility& ability, const DriverView& view, State& state,
                       DriverCommand& lead) const;
-  void moveAir(double brake_N, const TrainAbility& ability, const DriverView& view, State& state) const;
-  double chooseReduction(double wanted_Pa, double brake_N, const DriverView& view, const State& state) const;
+  void moveAir(const Wanted& wanted, const TrainAbility& ability, const DriverView& view, State& state) const;
+  double chooseReduction(double wanted_Pa, const Wanted& wanted, const DriverView& view, const State& state) const;
 };
 
 }  // namespace ltd

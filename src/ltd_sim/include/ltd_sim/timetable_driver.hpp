@@ -61,6 +61,7 @@ class TimetableDriver {
   void noteArrival(const Point& point, const DriverView& view, State& state) const;
   void plan(const DriverView& view, State& state) const;
   void drive(const DriverView& view, State& state, DriverCommand& lead) const;
+  void integrate(double error_mps, State& state, const DriverCommand& lead) const;
   void hold(const DriverView& view, State& state, DriverCommand& lead) const;
   double permittedSpeed(double s_m, const State& state) const;
   const Point* nextPoint(const State& state) const {

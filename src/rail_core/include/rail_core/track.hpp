@@ -29,12 +29,19 @@ struct TrackStretch {
   double lateral_m = 0.0;    ///< of the centre line there from the tangent here, + to the left
 };
 
+inline constexpr double kCantBaseline_m = 1.5;  ///< between the rails' contacts, over which cant is measured (EN 13803)
+inline constexpr double kCantWindow_m = 3.0;    ///< chosen: over a shorter one run-offs would be impulses
+
 /// Cant with its run-offs rounded off.                                                                    (T10)
 struct TrackCant {
   double left_m = 0.0;   ///< height of the left rail over the right: < 0 in a canted curve to the left
   double slope = 0.0;    ///< d(left_m)/ds [-]
   double outer_m = 0.0;  ///< height of the outer rail over the inner, >= 0; its own mean, so it bends gradually as well
   double outer_slope = 0.0;  ///< d(outer_m)/ds [-]; not |slope| where the outer rail changes sides within the window
+
+  /// Angle of the line across the rail tops about x, + left rail up: its sine is left_m over the baseline.
+  double computeRoll_rad() const;
+  double computeRollSlope_1pm() const;  ///< d(roll)/ds
 };
 
 /// The line in plan and profile, by chainage s [m] in running direction. Constant after reading.

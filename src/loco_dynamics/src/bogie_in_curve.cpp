@@ -1,0 +1,64 @@
+#include "loco_dynamics/bogie_in_curve.hpp"
+
+#include <cstdio>
+#include <string>
+
+namespace loco {
+
+namespace {
+
+constexpr double kFlangeDepth_m = 10e-3;  // below the taping line: where a flange's thickness is measured, UIC 510-2
+
+struct Fit {
+  double wheelbase_m, flange_play_m, smallest_m;
+  std::string rule() const {
+    char text[192];
+    std::snprintf(text, sizeof text,
+                  "must be at least %.4g m: a bogie with a wheelbase of %.4g m, whose flanges have %.3g mm of play "
+                  "between the rails, fits into no tighter curve",
+                  smallest_m, wheelbase_m, 1e3 * flange_play_m);
+    return text;
+  }
+};
+
+void refuseCurves(rail::YamlReader reader, const Fit& fit, double tightest_m) {
+  if (reader.has("table")) {
+    char text[64];
+    std::snprintf(text, sizeof text, "has a radius_m of %.4g, ", tightest_m);
+    reader.refuseKey("table", text + fit.rule());
+    return;
+  }
+  for (rail::YamlReader& curve : reader.maps("curves"))
+    if (curve.number("radius_m", rail::positive()) < fit.smallest_m) curve.refuse("radius_m", fit.rule());
+}
+
+}  // namespace
+
+double computeFlangePlay_m(const WheelRailGeometry& geometry) {
+  double below_m = geometry.wheel().begin_m(), above_m = 0.0;  // the flange's tip and the taping line
+  constexpr int kHalvings = 40;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle_m = 0.5 * (below_m + above_m);
+    (geometry.wheel().at(middle_m).z_m > kFlangeDepth_m ? below_m : above_m) = middle_m;
+  }
+  return geometry.dimensions().gauge_m - 2.0 * (geometry.tapingLine_m() + below_m);
+}
+
+double computeSmallestRadius_m(double wheelbase_m, double flange_play_m) {
+  return wheelbase_m * wheelbase_m / (8.0 * flange_play_m);
+}
+
+std::shared_ptr<const rail::Track> readTrackForBogies(rail::YamlReader& root, const LocoStructure& structure,
+                                                      double flange_play_m) {
+  const std::size_t before = root.problems().count();
+  auto track = std::make_shared<const rail::Track>(rail::Track::read(root.map("track")));
+  if (root.problems().count() != before) return nullptr;
+  const double wheelbase_m = structure.bodies[BodyLayout::wheelset(0)].p_T.x() -
+                             structure.bodies[BodyLayout::wheelset(BodyLayout::kAxlesPerBogie - 1)].p_T.x();
+  const Fit fit{wheelbase_m, flange_play_m, computeSmallestRadius_m(wheelbase_m, flange_play_m)};
+  if (track->largestCurvature() * fit.smallest_m <= 1.0) return track;
+  refuseCurves(root.map("track"), fit, 1.0 / track->largestCurvature());
+  return nullptr;
+}
+
+}  // namespace loco

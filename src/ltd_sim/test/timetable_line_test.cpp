@@ -1,0 +1,67 @@
+#include "ltd_sim/timetable_line.hpp"
+
+#include "point_train.hpp"
+
+namespace {
+
+constexpr double kKmph = 1.0 / rail::kKmphPerMps;
+constexpr double kCell_m = 10.0;  // of the line
+
+TEST(TimetableLineTest, TheBrakingCurveReachesALowerLimitInTimeAndHoldsItUntilTheTailIsOut) {
+  const rail::Track track =
+      drivers::line("{from_km: 0, grade_permille: 0}",
+                    "{from_km: 0, limit_kmph: 72}, {from_km: 5, limit_kmph: 36}, {from_km: 5.5, limit_kmph: 72}");
+  const ltd::TimetableLine line(track, drivers::ability(), 0.2, 0.0);
+  // the head is 11 m ahead, so the limit begins in the cell of 4989 m
+  const double begin_m = 4980.0;
+  EXPECT_NEAR(line.permittedSpeed(begin_m), 10.0, 1e-12);
+  for (const double d : {10.0, 100.0, 500.0})  // v^2 = v_lim^2 + 2 a d
+    EXPECT_NEAR(line.permittedSpeed(begin_m - d), std::sqrt(100.0 + 2.0 * 0.2 * d), 1e-9);
+  EXPECT_NEAR(line.permittedSpeed(begin_m - 800.0), 20.0, 1e-9);
+  EXPECT_NEAR(line.permittedSpeed(5500.0 + drivers::kBehind_m - 1.0), 10.0, 1e-12);
+  EXPECT_NEAR(line.permittedSpeed(5500.0 + drivers::kBehind_m + kCell_m), 20.0, 1e-12);
+}
+
+TEST(TimetableLineTest, TheMarginIsTakenOffEveryLimit) {
+  const rail::Track track = drivers::line("{from_km: 0, grade_permille: 0}", "{from_km: 0, limit_kmph: 72}");
+  const ltd::TimetableLine line(track, drivers::ability(), 0.2, 2.0 * kKmph);
+  EXPECT_NEAR(line.permittedSpeed(3000.0), 70.0 * kKmph, 1e-12);
+  EXPECT_NEAR(line.smallestSpeed(), 70.0 * kKmph, 1e-12);
+}
+
+/// Constant force, no resistance: the times are those of uniform acceleration.
+ltd::TrainAbility constantPull(double mps2) {
+  ltd::TrainAbility can = drivers::ability();
+  can.traction_N = [=](int, double) { return mps2 * drivers::kMass_kg; };
+  can.resistance_N = nullptr;
+  return can;
+}
+
+TEST(TimetableLineTest, RunningTimeOfUniformAccelerationCruisingAndBraking) {
+  const rail::Track track = drivers::line("{from_km: 0, grade_permille: 0}", "{from_km: 0, limit_kmph: 72}");
+  const ltd::TimetableLine line(track, constantPull(0.1), 0.2, 0.0);
+  // 0.1 m/s2 to 10 m/s: 100 s and 500 m; 3250 m at 10 m/s: 325 s; 0.2 m/s2 to 0: 50 s and 250 m. Cells of 10 m split
+  // the kinks by a second at most.
+  EXPECT_NEAR(line.runningTime(1000.0, 0.0, 5000.0, true, 10.0), 100.0 + 325.0 + 50.0, 1.0);
+  EXPECT_NEAR(line.runningTime(1000.0, 10.0, 5000.0, false, 10.0), 400.0, 1e-6);
+}
+
+TEST(TimetableLineTest, AGradeTakesItsShareOfThePull) {
+  const rail::Track track = drivers::line("{from_km: 0, grade_permille: 5}", "{from_km: 0, limit_kmph: 72}");
+  const ltd::TimetableLine line(track, constantPull(0.1), 0.2, 0.0);
+  const double a = 0.1 - 0.005 * rail::kGravity_mps2;  // uphill
+  EXPECT_NEAR(line.runningTime(1000.0, 0.0, 2000.0, false, 20.0), std::sqrt(2.0 * 1000.0 / a), 0.5);
+}
+
+TEST(TimetableLineTest, SlowerCruisingTakesLonger) {
+  const rail::Track track = drivers::line("{from_km: 0, grade_permille: 2}", "{from_km: 0, limit_kmph: 72}");
+  const ltd::TimetableLine line(track, drivers::ability(), 0.2, 0.0);
+  double last_s = 1e9;
+  for (double v = 3.0; v <= 20.0; v += 0.5) {
+    const double time_s = line.runningTime(1000.0, 5.0, 15000.0, true, v);
+    EXPECT_LT(time_s, last_s);
+    last_s = time_s;
+  }
+}
+
+}  // namespace
