@@ -63,6 +63,11 @@ class Adhesion:
         return self.speed_mps * 3.6
 
     @property
+    def brakes(self) -> bool:
+        """Whether these wheels brake: adhesion below -0.02 (chosen: more than rolling and curves need)."""
+        return bool(self.adhesion.min() < -0.02)
+
+    @property
     def axles(self) -> int:
         return self.creep.shape[1]
 

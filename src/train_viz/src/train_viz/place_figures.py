@@ -101,15 +101,20 @@ def draw_speed_notch(runs: List[Run]) -> Figure:
     plot_style.shade_curves(notch, runs, labels=False)
     for i, run in enumerate(runs):
         speed.plot(run.location_km, run.speed_kmph, label=run.label, **plot_style.line_style(i))
-        notch.step(run.location_km, run.notch[:, run.locomotive - 1], where='post', **plot_style.line_style(i))
+        notch.step(run.location_km, shown_notch(run), where='post', **plot_style.line_style(i))
     plot_style.start_at_zero(speed)
     speed.set_title('Speed and notch of the leading locomotive' if runs[0].locomotive == 1 else
                     f'Speed of the train and notch of {runs[0].whose}', pad=22)
     speed.set_ylabel('speed [km/h]')
-    notch.set_ylabel('notch')
-    notches = np.concatenate([run.notch[:, run.locomotive - 1] for run in runs])
+    notches = np.concatenate([shown_notch(run) for run in runs])
+    notch.set_ylabel('notch' if notches.min() >= 0.0 else 'notch; dynamic brake < 0')
     notch.set_ylim(min(notches.min(), 0.0) - 0.3, max(notches.max(), 8.0) + 0.4)
     notch.yaxis.set_major_locator(plt.MaxNLocator(integer=True))
     plot_style.set_place_axis(notch, runs)
     plot_style.legend_below(figure, speed)
     return figure
+
+
+def shown_notch(run: Run) -> np.ndarray:
+    """Of the locomotive shown: traction above zero, the dynamic brake below."""
+    return (run.notch - run.brake_notch)[:, run.locomotive - 1]
