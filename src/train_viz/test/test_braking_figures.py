@@ -70,7 +70,7 @@ class BrakingFiguresTest(unittest.TestCase):
         self.assertAlmostEqual(sinks[-1][2], total[3], places=12)
         self.assertAlmostEqual(total[3], 3e-6 * self.written['taken'][-1], delta=1e-9 * total[3])
         words = texts(draw_energy_flow(self.braked))
-        for part in ('traction, at the rail', 'at the rim: ', "locomotives' brakes,\nat the rail"):
+        for part in ('traction, at the rail', 'at the rim: ', "locomotives'\nbrakes,\nat the rail"):
             self.assertIn(part, words)
 
     def test_spin_of_wheels_that_slow_down_goes_to_the_brakes_beside_the_rail(self):

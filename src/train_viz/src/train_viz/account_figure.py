@@ -130,7 +130,7 @@ def _end_rows(run: Run) -> List[Row]:
         ('traction at the rail [kWh]', '', f'{final["traction_rail"] / 3.6:.3f}'),
         ('place at the end [km]', '', f'{run.location_km[-1]:.3f}'),
         ('time at the end [s]', '', f'{run.time_s[-1]:.2f}'),
-        ('speed at the end [km/h]', '', f'{run.speed_kmph[-1]:.3f}'),
+        ('speed at the end [km/h]', '', f'{run.end_kmph:.3f}'),
     ]
 
 

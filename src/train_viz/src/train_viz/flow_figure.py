@@ -33,7 +33,7 @@ def draw_energy_flow(run: Run) -> Figure:
     axes.set_xlim(-0.38, 1.5)
     axes.axis('off')
     axes.set_title(f'Energy flow of the whole train, {run.label}', pad=14)
-    axes.text(0.5, -0.02, f'at the end: {run.location_km[-1]:.3f} km, {run.time_s[-1]:.1f} s, {run.speed_kmph[-1]:.2f} '
+    axes.text(0.5, -0.02, f'at the end: {run.location_km[-1]:.3f} km, {run.time_s[-1]:.1f} s, {run.end_kmph:.2f} '
               f'km/h;   residual {1e6 * final_MJ(run)["residual"]:+.3g} J', transform=axes.transAxes, ha='center', va='top')
     return figure
 
@@ -110,10 +110,10 @@ def _draw_sinks(axes: Axes, flows: Tuple[List[Flow], List[Flow], List[Flow]], at
 
 def _draw_brakes(axes: Axes, flow: Flow, rail: Outlet, top: float, spin: float) -> Tuple[Outlet, float]:
     """The node of the locomotives' brakes, as high as the first of its sinks; its number is what they take at the rail."""
-    words, colour, energy = flow
+    _, colour, energy = flow
     low, taken = top - energy, energy - spin
     sankey.band(axes, rail.take(taken), (X_BRAKES, top - taken), taken, colour)
     sankey.node(axes, X_BRAKES, low, energy, colour)
-    axes.text(X_BRAKES - 0.02, top - taken / 2.0, words.replace(', ', ',\n') + f'\n{sankey.number(taken)} MJ', ha='right',
+    axes.text(X_BRAKES - 0.02, top - taken / 2.0, "locomotives'\nbrakes,\n" + f'at the rail\n{sankey.number(taken)} MJ', ha='right',
               va='center', fontsize=12, zorder=4)
     return Outlet(X_BRAKES, top), low

@@ -85,7 +85,7 @@ def _draw_energy_of(run: Run, panels: np.ndarray, style: Dict[str, Any], marks_m
                  if abs(place - run.location_m[-1]) > SAME_PLACE_M]
         marks.append((run.location_m[-1], energy_MJ[-1]))
         values = ', '.join(f'{energy:.1f} MJ at {place / 1e3:.3f} km' for place, energy in marks)
-        label = f'{run.label} {where}: {values} ({run.time_s[-1]:.1f} s, {run.speed_kmph[-1]:.2f} km/h)'
+        label = f'{run.label} {where}: {values} ({run.time_s[-1]:.1f} s, {run.end_kmph:.2f} km/h)'
         panels[0].plot(run.location_km, energy_MJ, dashes, label=label, **style)
         panels[0].plot([place / 1e3 for place, _ in marks], [energy for _, energy in marks], 'o',
                        color=style['color'], markersize=4.5, clip_on=run.races())

@@ -96,6 +96,11 @@ class Run:
     def speed_kmph(self) -> np.ndarray:
         return self.speed_mps * 3.6
 
+    @property
+    def end_kmph(self) -> float:
+        """Speed at the end to 0.001 km/h, so that a train at rest has 0, not -0."""
+        return round(float(self.speed_kmph[-1]), 3) + 0.0
+
     def at_location(self, values: np.ndarray, location_m: float) -> float:
         """`values` where the leading locomotive first passes a place, linear between the rows around it."""
         return float(np.interp(location_m, np.maximum.accumulate(self.location_m), values))

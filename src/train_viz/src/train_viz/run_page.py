@@ -62,14 +62,14 @@ def kind_of(name: str) -> str:
 
 def _ends(runs: List[Run]) -> str:
     columns = [('place [km]', lambda run: f'{run.location_km[-1]:.3f}'), ('time [s]', lambda run: f'{run.time_s[-1]:.2f}'),
-               ('speed [km/h]', lambda run: f'{run.speed_kmph[-1]:.2f}'),
+               ('speed [km/h]', lambda run: f'{run.end_kmph:.2f}'),
                ('at the rail, Eq. (4) [MJ]', lambda run: f'{run.rail_J[-1] / 1e6:.2f}'),
                ('slip loss [MJ]', lambda run: f'{run.slip_J[-1] / 1e6:.2f}'),
                ('at the rim [MJ]', lambda run: f'{run.rim_J[-1] / 1e6:.2f}')]
     if any(run.brakes() for run in runs):
         columns += [('its brakes, at the rail [MJ]', lambda run: _shown_MJ(run, 'brake_rail')),
                     ('recovered, at the rim [MJ]', lambda run: _shown_MJ(run, 'recovered_rim')),
-                    ("air brake of all wagons [MJ]", lambda run: f'{run.account["air_brake"][-1] / 1e6:.2f}')]
+                    ('air brake of all wagons [MJ]', lambda run: f'{run.account["air_brake"][-1] / 1e6:.2f}')]
     if any(run.has_supply() for run in runs):
         columns.append(('its fuel [l]', lambda run: f'{run.locos["litres"][-1, run.locomotive - 1]:.2f}'))
     columns.append(("account's residual / traction", lambda run: f'{run.account["residual_relative"][-1]:+.1e}'))

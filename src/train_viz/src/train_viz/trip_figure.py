@@ -60,7 +60,8 @@ def _draw_notches(axes: Axes, run: Run) -> None:
     """Traction upwards, the dynamic brake downwards."""
     shown = run.locomotive - 1
     _fill_steps(axes, run.location_km, run.notch[:, shown], plot_style.GREEN)
-    _fill_steps(axes, run.location_km, -run.brake_notch[:, shown], plot_style.VERMILION)
+    if run.brake_notch[:, shown].any():
+        _fill_steps(axes, run.location_km, -run.brake_notch[:, shown], plot_style.VERMILION)
     low, high = min(-run.brake_notch[:, shown].max(), 0.0), max(run.notch[:, shown].max(), 1.0)
     axes.set_ylim(low - 0.5, high + 0.5)
     axes.yaxis.set_major_locator(plt.MaxNLocator(integer=True))
