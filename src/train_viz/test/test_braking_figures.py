@@ -60,6 +60,14 @@ class BrakingFiguresTest(unittest.TestCase):
         np.testing.assert_allclose(parted['slip_braking'], 0.1 * self.written['taken'][-1], rtol=1e-9)
         np.testing.assert_allclose(parted['rest_braking'], 0.0, atol=1e-6 * lost)
 
+    def test_rolling_back_at_a_start_is_no_braking(self):
+        run = dataclasses.replace(self.plain, locos={name: values.copy() for name, values in self.plain.locos.items()})
+        run.locos['energy_rail'][5:] -= 2e6
+        run.locos['energy_slip'][5:] += 1e6
+        parted = between_rim_and_rail(run)
+        self.assertFalse(parted['slip_braking'].any() or parted['rest_braking'].any())
+        np.testing.assert_allclose(parted['slip_driving'][-1], 1e6, rtol=1e-12)
+
     def test_flow_closes_at_rail_and_at_the_brakes(self):
         sources, losses, sinks, braked = flows_of(self.braked)
         self.assertEqual([flow[0] for flow in braked], ['recovered by motors, at the rim', 'slip loss, braking'])

@@ -25,7 +25,12 @@ class Screen(io.StringIO):
         return self.terminal
 
 
-class ProgressTest(unittest.TestCase):
+class LongReadTest(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.path = os.path.join(directory.name, 'run.bag')
+
     def tell(self, terminal, seconds, total=100):
         """All of `total`, evenly over that time."""
         screen, now = Screen(terminal), [0.0]
@@ -51,13 +56,6 @@ class ProgressTest(unittest.TestCase):
         self.assertEqual(self.tell(False, 400.0).splitlines()[:2],
                          ['reading: 3 %, 6 min left', 'reading: 6 %, 6 min left'])
         self.assertEqual(len(self.tell(False, 50.0).splitlines()), 4)
-
-
-class ThinningTest(unittest.TestCase):
-    def setUp(self):
-        directory = tempfile.TemporaryDirectory()
-        self.addCleanup(directory.cleanup)
-        self.path = os.path.join(directory.name, 'run.bag')
 
     def test_few_rows_are_all_kept_and_many_in_slots_of_whole_rows(self):
         self.assertEqual(slot_width(row_store.MOST_ROWS, 10**12), 1)
@@ -89,5 +87,4 @@ class ThinningTest(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    rosunit.unitrun('train_viz', 'test_progress', ProgressTest)
-    rosunit.unitrun('train_viz', 'test_thinning', ThinningTest)
+    rosunit.unitrun('train_viz', 'test_progress', LongReadTest)
