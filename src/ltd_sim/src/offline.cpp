@@ -85,7 +85,7 @@ void tell(const Scenario& scenario, const RunResult& run, const std::string& fol
   const rail::EnergyAccount& a = run.state.account;
   const double lead_v = run.state.v_mps[scenario.train.locomotives.front().vehicle];
   std::printf("%s: %s: %s\n", scenario.name.c_str(), toString(run.outcome.kind).c_str(), run.outcome.reason.c_str());
-  std::printf("  time %.3f s, speed %.3f km/h, traction at the rail %.3f kWh, residual of the account %.2g of it\n",
+  std::printf("  time %.3f s, speed %.3f km/h, traction at the rail %.3f kWh, residual of the account %.2g\n",
               static_cast<double>(run.state.step) * rail::toSeconds(scenario.macro_step), lead_v * rail::kKmphPerMps,
               a.traction_rail / rail::kJoulesPerKilowattHour, a.residualRelative());
   for (const std::string& note : run.outcome.notes) std::printf("  note: %s\n", note.c_str());

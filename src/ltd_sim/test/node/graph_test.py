@@ -11,9 +11,10 @@ import rosbag
 import rosunit
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from graph import PAPER, REPO, Graph, outcome_of, run_offline  # noqa: E402
+from graph import PAPER, REPO, Graph, outcome_of, program, run_offline  # noqa: E402
 
 WET_STRETCH = os.path.join(REPO, "config", "scenarios", "wet_stretch.yaml")
+EXTERNAL_DRIVER = os.path.join(REPO, "config", "scenarios", "external_driver.yaml")
 PAPER_3D = os.path.join(REPO, "config", "scenarios", "paper_3d.yaml")
 SHORT = "run.end_time_s=8"  # 4000 steps: all locomotives pull, the slack runs out
 
@@ -117,6 +118,44 @@ class GraphTest(unittest.TestCase):
         self.assertEqual(wheelset.header.frame_id, "loco_1/base_link")
         self.assertAlmostEqual(wheelset.transform.translation.x, 6.645 + 1.85, delta=0.01)
         self.assertAlmostEqual(wheelset.transform.translation.z, 0.5335, delta=0.001)
+
+    def start_external(self, overrides):
+        self.graph.start_master()
+        train = self.graph.start_train(overrides, scenario=EXTERNAL_DRIVER)
+        for i in (1, 2, 3):
+            self.graph.start_loco(i)
+        return train
+
+    def test_a_driver_in_another_program_gives_the_bits_of_the_same_commands_from_a_file(self):
+        overrides = "run.end_time_s=25 output.record_exchange=true"
+        train = self.start_external(overrides)
+        notches = "[[0, 1], [10, 2], [20, 3], [30, 4], [40, 5], [50, 6], [60, 7], [70, 8]]"
+        self.graph.start([program("ltd_sim", "example_driver"), "_notches:=" + notches])
+        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
+        offline = os.path.join(self.graph.folder, "offline")
+        from_file = overrides + " driver_file=" + os.path.join(REPO, "config", "drivers", "paper_notches.yaml")
+        self.assertEqual(outcome_of(self.graph.out), run_offline(offline, from_file, EXTERNAL_DRIVER))
+        graph_bag = bag_payloads(os.path.join(self.graph.out, "external_driver.bag"))
+        self.assertEqual(graph_bag, bag_payloads(os.path.join(offline, "external_driver.bag")))
+
+    def test_a_driver_who_falls_silent_is_named_and_the_train_comes_to_rest(self):
+        train = self.start_external("driver.answer_deadline_s=1 run.end_at_standstill_s=1")
+        driver = self.graph.start([program("ltd_sim", "example_driver"), "_notches:=[[0, 1], [4, 0]]"])
+        self.graph.wait_for_text(train, "starts")
+        driver.send_signal(signal.SIGKILL)
+        self.graph.wait_for_text(train, "the driver has not answered")
+        self.assertEqual(self.graph.wait_for_end(train, 300), 1, self.graph.text(train))
+        outcome = outcome_of(self.graph.out)
+        self.assertEqual(outcome["outcome"], "failed")
+        self.assertRegex(outcome["reason"], r"driver: no answer within 1 s to the question of .* stands at ")
+        self.assertRegex(outcome["notes"][-1], "driver: no answer within 1 s")
+
+    def test_an_answer_that_cannot_be_obeyed_counts_as_none(self):
+        train = self.start_external("driver.answer_deadline_s=1 run.end_time_s=60")
+        self.graph.start([program("ltd_sim", "example_driver"), "_notches:=[[0, 1], [2, 9]]"])
+        self.graph.wait_for_text(train, "his last answer was refused: notch 9")
+        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
+        self.assertRegex(outcome_of(self.graph.out)["notes"][0], r"to the question of 2\.000 s")
 
     def test_a_locomotive_killed_in_the_run_and_started_again_leaves_the_bits_alone(self):
         train, locos = self.start_all(SHORT, hold="true")
