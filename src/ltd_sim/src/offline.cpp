@@ -55,7 +55,7 @@ struct RunResult {
 RunResult runOnce(const Scenario& scenario, const std::string& folder, const BagFactory& bag_factory) {
   if (scenario.driver.external())
     throw rail::ConfigError({scenario.file + ": driver.kind = external: nobody can answer offline: run it in the graph "
-                             "(roslaunch), or give another kind"});
+                                             "(roslaunch), or give another kind"});
   LocalFleet fleet(scenario);
   RunOutputs outputs(scenario, folder);
   std::unique_ptr<RunObserver> bag = bag_factory ? bag_factory(scenario, folder) : nullptr;

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "brake_fixtures.hpp"
+#include "rail_core/testing/verification.hpp"
 
 namespace {
 
@@ -85,13 +86,15 @@ TEST(TrainBrakingTest, FullBrakeRetardsTheTrainByRatioTimesFriction) {
   const fixtures::FinishedRun stop = run(scenario, [&](const ltd::StepRecord& record) {
     if (record.after.step == 10000) at_20_s = meanSpeed(scenario, record.after);
   });
-  EXPECT_NEAR(a, 0.3422, 1e-4);
+  rail::verify({"2", "brake ratio 0.10, mu 0.36 on 105 of the paper's 108 vehicles: retardation", "by hand", "m/s2",
+                0.3422, (v - at_20_s) / 20.0, 5e-5, "last digit given"});
   EXPECT_NEAR(at_20_s, v - 20.0 * a, 1e-9);  // every wagon moves, so every shoe rubs: couplers cannot matter
   double moved_m = 0.0;                      // of the centre of mass, from places 10 m apart
   for (std::size_t i = 0; i < 108; ++i)
     moved_m +=
         scenario.train.vehicles[i].mass_kg / 13002e3 * (stop.state.s_m[i] - 5000.0 + 10.0 * static_cast<double>(i));
-  EXPECT_NEAR(moved_m, 0.5 * v * v / a, 0.3);  // 721.5 m; at the end not all stop at once
+  rail::verify({"2", "the same train from 80 km/h: way of its centre of mass", "v^2/(2 a)", "m", 0.5 * v * v / a,
+                moved_m, 0.3, "the vehicles do not stop all at once"});
   for (std::size_t i = 3; i < 108; ++i)
     EXPECT_LT(std::abs(stop.state.v_mps[i]), 1e-12) << i;  // the others swing in their slack
 }
@@ -105,7 +108,8 @@ TEST(TrainBrakingTest, HoldsOnAGradeWithoutCreeping) {
     if (record.after.step == 30000) s_at_60_s = record.after.s_m;
     held_N = record.forces.view.air_brake_N;
   });
-  EXPECT_NEAR(held_N, 13002e3 * kGravity_mps2 * 0.010, 1e3);  // 1275 kN; the locomotives hang in their couplers
+  rail::verify({"2", "13 002 t on 1 %, held by the wagons' shoes", "m g i", "N", 13002e3 * kGravity_mps2 * 0.010,
+                held_N, 1e3, "the unbraked locomotives swing in their couplers"});
   for (std::size_t i = 3; i < 108; ++i) {
     EXPECT_LT(std::abs(stand.state.v_mps[i]), 1e-15) << i;
     EXPECT_NEAR(stand.state.s_m[i], s_at_60_s[i], 1e-9) << i;

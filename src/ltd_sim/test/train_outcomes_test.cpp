@@ -65,7 +65,7 @@ TEST(BrakingEnergyTest, AccountClosesFromTractionThroughDynamicBrakeToStandstill
   EXPECT_LT(into_links_J, 0.8 * a.recovered_rim);  // the drivetrain's efficiency
 }
 
-TEST(BrakingEnergyTest, HalfTheStepBringsAQuarterOfTheResidualOrLess) {
+TEST(BrakingEnergyTest, TheResidualFallsWithTheStep) {
   const std::string driver = "over: time\nnotches: [[0, 0]]\npipe_bar: [[5, 3.5]]";
   double residual_J[2];
   for (int k = 0; k < 2; ++k) {
