@@ -114,6 +114,6 @@ def _draw_brakes(axes: Axes, flow: Flow, rail: Outlet, top: float, spin: float) 
     low, taken = top - energy, energy - spin
     sankey.band(axes, rail.take(taken), (X_BRAKES, top - taken), taken, colour)
     sankey.node(axes, X_BRAKES, low, energy, colour)
-    axes.text(X_BRAKES - 0.02, top - taken / 2.0, "locomotives'\nbrakes,\n" + f'at the rail\n{sankey.number(taken)} MJ', ha='right',
-              va='center', fontsize=12, zorder=4)
+    axes.text(X_BRAKES - 0.02, top - taken / 2.0, f"locomotives'\nbrakes,\nat the rail\n{sankey.number(taken)} MJ",
+              ha='right', va='center', fontsize=12, zorder=4)
     return Outlet(X_BRAKES, top), low
