@@ -3,6 +3,7 @@
 #include <ros/service.h>
 #include <train_msgs/StepLock.h>
 
+#include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -41,7 +42,11 @@ TrainStatus fromMsg(const train_msgs::TrainStatus& msg) {
 LockPanel::LockPanel(QWidget* parent) : rviz::Panel(parent), view_(new LockView), timer_(new QTimer(this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(view_);
+  auto* scroll = new QScrollArea;  // a low dock must not hide the buttons for good
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(view_);
+  column->addWidget(scroll);
   connect(view_, &LockView::requested, this, &LockPanel::request);
   connect(timer_, &QTimer::timeout, this, &LockPanel::onTimer);
   timer_->start(kPoll_ms);

@@ -64,7 +64,8 @@ AllowedCommands allowedCommands(const std::optional<TrainStatus>& status, double
   AllowedCommands allowed;
   if (!status || busy || silence_s > kSilence_s) return allowed;
   using Phase = TrainStatus::Phase;
-  const bool ended = status->phase != Phase::kJoining && status->phase != Phase::kHeld && status->phase != Phase::kRunning;
+  const bool ended =
+      status->phase != Phase::kJoining && status->phase != Phase::kHeld && status->phase != Phase::kRunning;
   if (ended) return allowed;
   allowed.hold = status->phase != Phase::kHeld;
   allowed.run = allowed.pace = allowed.stop = true;

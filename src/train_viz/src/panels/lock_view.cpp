@@ -105,7 +105,8 @@ QLayout* LockView::buildControls() {
   pace_ = spinBox("pace", 0.0, kFastest, 1, 1.0, " x real time");
   pace_->setSpecialValueText("as fast as it goes");
   auto* grid = new QGridLayout;
-  QWidget* const rows[][2] = {{hold_, run_}, {steps_, step_}, {place_km_, to_place_}, {time_s_, to_time_}, {pace_, set_pace_}};
+  QWidget* const rows[][2] = {
+      {hold_, run_}, {steps_, step_}, {place_km_, to_place_}, {time_s_, to_time_}, {pace_, set_pace_}};
   int row = 0;
   for (const auto& pair : rows) {
     grid->addWidget(pair[0], row, 0);

@@ -16,8 +16,8 @@ class QVBoxLayout;
 
 namespace viz {
 
-/// The plots of a run in tabs or all at once, with their controls. Knows no ROS: whoever has the messages puts them into
-/// data(); what is seen is drawn at most ten times a second, however often that is.
+/// The plots of a run in tabs or all at once, with their controls. Knows no ROS: whoever has the messages puts them
+/// into data(); what is seen is drawn at most ten times a second, however often that is.
 class PlotBoard : public QWidget {
   Q_OBJECT
 

@@ -1,12 +1,11 @@
 #include "plot_sheet.hpp"
 
-#include <qwt_legend.h>
 #include <qwt_plot_curve.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
+#include <qwt_plot_legenditem.h>
 #include <qwt_plot_renderer.h>
 #include <qwt_plot_textlabel.h>
-#include <qwt_scale_engine.h>
 #include <qwt_symbol.h>
 
 #include <QFile>
@@ -20,9 +19,12 @@ namespace viz {
 
 namespace {
 
-constexpr int kPngWidth = 1200, kPngHeight = 750;        // chosen: a page's width with readable letters
-constexpr int kTitlePoints = 11, kTextPoints = 10;       // chosen: readable at 1600 x 900
-constexpr double kLeastRightAxis = 8.0;                  // chosen: notches, of which there are mostly eight
+constexpr int kPngWidth = 1200, kPngHeight = 750;   // chosen: a page's width with readable letters
+constexpr int kTextPoints = 10, kLegendPoints = 9;  // chosen: readable at 1600 x 900
+constexpr int kPixelsANumber = 90;                  // chosen: between numbers at an axis
+constexpr int kLegendRows = 4;                      // chosen: more in two columns
+constexpr double kBehind = 15.0;                    // between Qwt's grid, 10, and its curves, 20
+constexpr double kLeastRightAxis = 8.0;             // chosen: notches, of which there are mostly eight
 
 /// Okabe and Ito's colours, which colour-blind people tell apart; the black one last.
 QColor colourOf(int number) {
@@ -72,9 +74,61 @@ Bounds boundsOf(int axis, const PlotData& plot) {
   return bounds;
 }
 
+/// Curves that differ in nothing but points need no new items.
+bool alike(const PlotData& a, const PlotData& b) {
+  return std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
+                    [](const Curve& x, const Curve& y) {
+                      return x.name == y.name && x.style == y.style && x.colour == y.colour && x.width == y.width &&
+                             x.right_axis == y.right_axis && x.in_legend == y.in_legend;
+                    });
+}
+
+QPen penOf(const Curve& curve) {
+  QPen pen(colourOf(curve.colour), curve.width);
+  if (curve.style == CurveStyle::kDashes) pen.setDashPattern({4.0, 3.0});
+  if (curve.style == CurveStyle::kBackground) pen.setColor(QColor(0xBB, 0xBB, 0xBB));
+  if (curve.style == CurveStyle::kBars) pen.setCapStyle(Qt::FlatCap);
+  if (curve.style == CurveStyle::kDots) {
+    QColor pale = pen.color();
+    pale.setAlpha(150);
+    pen.setColor(pale);
+  }
+  return pen;
+}
+
+QwtPlotCurve* newItem(const Curve& curve) {
+  auto* item = new QwtPlotCurve(textOf(curve.name, kLegendPoints, false));
+  item->setItemAttribute(QwtPlotItem::Legend, curve.in_legend);
+  item->setYAxis(curve.right_axis ? QwtPlot::yRight : QwtPlot::yLeft);
+  item->setPen(penOf(curve));
+  item->setLegendAttribute(QwtPlotCurve::LegendShowLine, true);
+  if (curve.style == CurveStyle::kBackground) item->setZ(kBehind);
+  if (curve.style == CurveStyle::kDots) item->setStyle(QwtPlotCurve::Dots);
+  if (curve.style == CurveStyle::kBars) item->setStyle(QwtPlotCurve::Sticks);
+  if (curve.style == CurveStyle::kMarks) {
+    item->setStyle(QwtPlotCurve::NoCurve);
+    item->setSymbol(new QwtSymbol(QwtSymbol::Ellipse, colourOf(curve.colour), QPen(Qt::black, 1.0), QSize(9, 9)));
+    item->setLegendAttribute(QwtPlotCurve::LegendShowLine, false);
+    item->setLegendAttribute(QwtPlotCurve::LegendShowSymbol, true);
+  }
+  return item;
+}
+
+Qt::Alignment alignmentOf(LegendCorner corner) {
+  switch (corner) {
+    case LegendCorner::kTopLeft:
+      return Qt::AlignLeft | Qt::AlignTop;
+    case LegendCorner::kTopRight:
+      return Qt::AlignRight | Qt::AlignTop;
+    case LegendCorner::kBottomRight:
+      break;
+  }
+  return Qt::AlignRight | Qt::AlignBottom;
+}
+
 }  // namespace
 
-PlotSheet::PlotSheet(QWidget* parent) : QwtPlot(parent), remark_(new QwtPlotTextLabel) {
+PlotSheet::PlotSheet(QWidget* parent) : QwtPlot(parent), remark_(new QwtPlotTextLabel), legend_(new QwtPlotLegendItem) {
   setCanvasBackground(Qt::white);
   plotLayout()->setAlignCanvasToScales(true);
   QFont font;
@@ -83,93 +137,85 @@ PlotSheet::PlotSheet(QWidget* parent) : QwtPlot(parent), remark_(new QwtPlotText
   auto* grid = new QwtPlotGrid;
   grid->setPen(QColor(0xDD, 0xDD, 0xDD), 0.0, Qt::SolidLine);
   grid->attach(this);
-  auto* legend = new QwtLegend;
-  legend->setFont(font);
-  insertLegend(legend, BottomLegend);
+  legend_->setRenderHint(QwtPlotItem::RenderAntialiased);
+  legend_->setBackgroundBrush(QColor(255, 255, 255, 200));
+  legend_->setBackgroundMode(QwtPlotLegendItem::LegendBackground);
+  legend_->setMaxColumns(1);
+  legend_->setMargin(2);
+  legend_->setItemMargin(1);
+  legend_->setSpacing(0);
+  legend_->attach(this);
   remark_->attach(this);
-  setMinimumSize(260, 200);
+  setMinimumSize(240, 150);
+}
+
+void PlotSheet::makeItems() {
+  for (QwtPlotCurve* item : items_) delete item;  // which detaches it
+  items_.clear();
+  int named = 0;
+  for (const Curve& curve : shown_.curves) {
+    items_.push_back(newItem(curve));
+    items_.back()->attach(this);
+    if (curve.in_legend) ++named;
+  }
+  legend_->setMaxColumns(named > kLegendRows ? 2 : 1);
+  legend_->setAlignment(alignmentOf(shown_.legend));
 }
 
 void PlotSheet::show(const PlotData& plot) {
+  const bool same_items = alike(shown_, plot);
   shown_ = plot;
-  setTitle(textOf(plot.title, kTitlePoints, true));
+  if (!same_items) makeItems();
+  QwtText title = textOf(plot.title, kTextPoints, true);
+  title.setRenderFlags(Qt::AlignHCenter | Qt::TextWordWrap);
+  setTitle(title);
   setAxisTitle(xBottom, textOf(plot.x_title, kTextPoints, false));
   setAxisTitle(yLeft, textOf(plot.y_title, kTextPoints, false));
   enableAxis(yRight, !plot.right_title.empty());
   setAxisTitle(yRight, textOf(plot.right_title, kTextPoints, false));
-  while (items_.size() > plot.curves.size()) {
-    delete items_.back();  // which detaches it
-    items_.pop_back();
-  }
-  while (items_.size() < plot.curves.size()) {
-    items_.push_back(new QwtPlotCurve);
-    items_.back()->attach(this);
-  }
-  for (std::size_t i = 0; i < items_.size(); ++i) setCurve(*items_[i], plot.curves[i]);
-  for (const int axis : {xBottom, yLeft, yRight}) scaleAxis(axis, plot);
+  for (std::size_t i = 0; i < items_.size(); ++i) items_[i]->setSamples(pointsOf(plot.curves[i]));
+  scaleAxes(size());
   QwtText remark = textOf(plot.remark, kTextPoints, false);
   remark.setColor(Qt::darkGray);
-  remark.setRenderFlags(plot.empty() ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignTop);
+  remark.setRenderFlags(Qt::TextWordWrap | (plot.empty() ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignTop));
   remark_->setText(remark);
   replot();
 }
 
-void PlotSheet::setCurve(QwtPlotCurve& item, const Curve& curve) {
-  const QColor colour = colourOf(curve.colour);
-  item.setTitle(textOf(curve.name, kTextPoints, false));
-  item.setYAxis(curve.right_axis ? yRight : yLeft);
-  item.setItemAttribute(QwtPlotItem::Legend, curve.in_legend);
-  item.setLegendAttribute(QwtPlotCurve::LegendShowLine, true);
-  item.setSymbol(nullptr);
-  item.setStyle(QwtPlotCurve::Lines);
-  QPen pen(colour, 2.0);
-  switch (curve.style) {
-    case CurveStyle::kLine:
-    case CurveStyle::kSteps:
-      break;
-    case CurveStyle::kDashes:
-      pen.setDashPattern({4.0, 3.0});
-      break;
-    case CurveStyle::kBackground:
-      pen = QPen(QColor(0xA0, 0xA0, 0xA0), 4.0);
-      break;
-    case CurveStyle::kDots:
-      pen.setColor(QColor(colour.red(), colour.green(), colour.blue(), 90));
-      item.setStyle(QwtPlotCurve::Dots);
-      break;
-    case CurveStyle::kMarks:
-      item.setStyle(QwtPlotCurve::NoCurve);
-      item.setSymbol(new QwtSymbol(QwtSymbol::Ellipse, colour, QPen(Qt::black, 1.0), QSize(10, 10)));
-      item.setLegendAttribute(QwtPlotCurve::LegendShowLine, false);
-      item.setLegendAttribute(QwtPlotCurve::LegendShowSymbol, true);
-      break;
-    case CurveStyle::kBars:
-      pen.setWidthF(3.0);
-      pen.setCapStyle(Qt::FlatCap);
-      item.setStyle(QwtPlotCurve::Sticks);
-      break;
+/// A margin around the points, and no more numbers at the axes than there is room for.
+void PlotSheet::scaleAxes(const QSize& size) {
+  for (const int axis : {xBottom, yLeft, yRight}) {
+    const bool along = axis == xBottom;
+    Bounds bounds = boundsOf(axis, shown_);
+    const double least = along ? shown_.least_x_span : axis == yRight ? kLeastRightAxis : shown_.least_y_span;
+    if (bounds.high - bounds.low < least) bounds.high = bounds.low + least;
+    const double margin = (along ? 0.015 : axis == yRight ? 0.15 : 0.05) * (bounds.high - bounds.low);
+    if (along || bounds.low < 0.0) bounds.low -= margin;
+    if (along || bounds.high > 0.0) bounds.high += margin;
+    setAxisMaxMajor(axis,
+                    std::clamp(along ? size.width() / kPixelsANumber : 2 * size.height() / kPixelsANumber, 2, 10));
+    setAxisScale(axis, bounds.low, bounds.high);
   }
-  item.setPen(pen);
-  item.setSamples(pointsOf(curve));
 }
 
-void PlotSheet::scaleAxis(int axis, const PlotData& plot) {
-  Bounds bounds = boundsOf(axis, plot);
-  const double least = axis == xBottom ? plot.least_x_span : axis == yRight ? kLeastRightAxis : plot.least_y_span;
-  if (bounds.high - bounds.low < least) bounds.high = bounds.low + least;
-  double step = 0.0;
-  QwtLinearScaleEngine().autoScale(8, bounds.low, bounds.high, step);
-  setAxisScale(axis, bounds.low, bounds.high, step);
+void PlotSheet::resizeEvent(QResizeEvent* event) {
+  QwtPlot::resizeEvent(event);
+  scaleAxes(size());
+  replot();
 }
 
 QString PlotSheet::writePng(const QString& path) {
   QImage image(kPngWidth, kPngHeight, QImage::Format_RGB32);
   image.fill(Qt::white);
+  scaleAxes(image.size());
+  updateAxes();
   QPainter painter(&image);
   QwtPlotRenderer renderer;
   renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
   renderer.render(this, &painter, QRectF(10, 10, kPngWidth - 20, kPngHeight - 20));
   painter.end();
+  scaleAxes(size());
+  replot();
   return image.save(path, "PNG") ? QString() : "cannot write " + path;
 }
 

@@ -8,6 +8,7 @@
 #include "../plots/plot_data.hpp"
 
 class QwtPlotCurve;
+class QwtPlotLegendItem;
 class QwtPlotTextLabel;
 
 namespace viz {
@@ -26,12 +27,14 @@ class PlotSheet : public QwtPlot {
   QString writeCsv(const QString& path) const;
 
  private:
-  void setCurve(QwtPlotCurve& item, const Curve& curve);
-  void scaleAxis(int axis, const PlotData& plot);
+  void resizeEvent(QResizeEvent* event) override;
+  void makeItems();
+  void scaleAxes(const QSize& size);
 
   PlotData shown_;
   std::vector<QwtPlotCurve*> items_;  ///< owned by the plot
   QwtPlotTextLabel* remark_;          ///< likewise
+  QwtPlotLegendItem* legend_;         ///< likewise
 };
 
 }  // namespace viz

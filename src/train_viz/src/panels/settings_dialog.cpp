@@ -19,7 +19,8 @@ SettingsDialog::SettingsDialog(const PlotSettings& settings, QWidget* parent) : 
   };
   state_ = addLine("State", settings.state_topic, "train_msgs/TrainState");
   energy_ = addLine("Energy", settings.energy_topic, "train_msgs/TrainEnergy");
-  adhesion_ = addLine("Adhesion", settings.adhesion_topic, "train_msgs/Adhesion; {} stands for the locomotive's number");
+  adhesion_ =
+      addLine("Adhesion", settings.adhesion_topic, "train_msgs/Adhesion; {} stands for the locomotive's number");
   configuration_ = addLine("Configuration", settings.configuration_topic, "train_msgs/RunConfiguration");
   export_ = addLine("Export to", settings.export_topic,
                     "std_msgs/String: a folder's name has all plots written into it; empty: off");

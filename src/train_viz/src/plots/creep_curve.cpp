@@ -36,8 +36,7 @@ std::optional<LocomotiveEntry> findLocomotive(rail::YamlReader& parent, const st
       locomotive -= in_one * (repeat - 1);
     } else if (group.text("kind") == "locomotive") {
       const int count = group.integer("count", 1);
-      if (locomotive <= count)
-        return LocomotiveEntry{group.map("vehicle"), loco::readModelOr(group, scenario_model)};
+      if (locomotive <= count) return LocomotiveEntry{group.map("vehicle"), loco::readModelOr(group, scenario_model)};
       locomotive -= count;
     }
   }

@@ -10,8 +10,8 @@ struct Point {
   double y = 0.0;
 };
 
-/// A curve of any length in bounded memory. Every bucket of `stride` samples keeps its lowest and its highest one, so no
-/// peak is lost; when all buckets are used, neighbours are merged and the stride doubles.
+/// A curve of any length in bounded memory. Every bucket of `stride` samples keeps its lowest and its highest one, so
+/// no peak is lost; when all buckets are used, neighbours are merged and the stride doubles.
 class DecimatedSeries {
  public:
   /// @param buckets  at most this many, >= 2; chosen: more than a screen has columns

@@ -9,7 +9,7 @@ namespace viz {
 namespace {
 
 constexpr double kKilo = 1e3, kMega = 1e6, kKilometresPerHour = 3.6;
-constexpr char kPlace[] = "Place of the leading locomotive [km]";
+constexpr char kPlace[] = "Place [km]";  // of the leading locomotive
 
 std::vector<Point> scaled(const DecimatedSeries& series, double x_unit, double y_unit) {
   std::vector<Point> points = series.points();
@@ -19,9 +19,9 @@ std::vector<Point> scaled(const DecimatedSeries& series, double x_unit, double y
 
 std::string locoName(std::size_t i) { return "locomotive " + std::to_string(i + 1); }
 
-std::string format(const char* pattern, double a, double b) {
-  char text[120];
-  std::snprintf(text, sizeof text, pattern, a, b);
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
   return text;
 }
 
@@ -37,27 +37,36 @@ std::string missingLocomotive(const RunData& run) {
 }
 
 PlotData computeTraction(const RunData& run) {
-  PlotData plot{"Traction at the rail", kPlace, "Force on the locomotive, + forward [kN]", "", 0.01, 10.0, "", {}};
+  PlotData plot{"Traction at the rail",     kPlace, "Force [kN], + forward", "", 0.01, 10.0, "",
+                LegendCorner::kBottomRight, {}};
   for (std::size_t i = 0; i < run.locomotives().size(); ++i) {
-    // equal locomotives lie on each other: later ones are dashed so that both are seen
-    plot.curves.push_back({locoName(i), i == 0 ? CurveStyle::kLine : CurveStyle::kDashes, static_cast<int>(i), false,
-                           true, scaled(run.locomotives()[i].traction_N, kKilo, kKilo)});
+    // equal locomotives lie on each other: the first ones are wider, so that all are seen
+    const double width = std::min(2.0 + 2.0 * static_cast<double>(run.locomotives().size() - 1 - i), 8.0);
+    plot.curves.push_back({locoName(i), CurveStyle::kLine, static_cast<int>(i), false, true,
+                           scaled(run.locomotives()[i].traction_N, kKilo, kKilo), width});
   }
   if (plot.empty()) plot.remark = "waits for the train";
   return plot;
 }
 
 PlotData computeEnergy(const RunData& run) {
-  PlotData plot{"Energy of " + locoName(static_cast<std::size_t>(run.locomotive() - 1)), kPlace,
-                "Energy since the start [MJ]", "", 0.01, 1.0, "", {}};
+  PlotData plot{"Energy of " + locoName(static_cast<std::size_t>(run.locomotive() - 1)),
+                kPlace,
+                "Energy [MJ]",
+                "",
+                0.01,
+                1.0,
+                "",
+                LegendCorner::kTopLeft,
+                {}};
   const LocoSeries* loco = chosen(run);
   if (loco == nullptr) {
     plot.remark = missingLocomotive(run);
     return plot;
   }
-  plot.curves.push_back({"at the rail, Eq. (4)", CurveStyle::kLine, 0, false, true, scaled(loco->rail_J, kKilo, kMega)});
   plot.curves.push_back(
-      {"at the wheel rims", CurveStyle::kDashes, 1, false, true, scaled(loco->rim_J, kKilo, kMega)});
+      {"at the rail, Eq. (4)", CurveStyle::kLine, 0, false, true, scaled(loco->rail_J, kKilo, kMega)});
+  plot.curves.push_back({"at the wheel rims", CurveStyle::kDashes, 1, false, true, scaled(loco->rim_J, kKilo, kMega)});
   plot.curves.push_back(
       {"recovered at the rims", CurveStyle::kLine, 2, false, true, scaled(loco->recovered_J, kKilo, kMega)});
   if (plot.empty()) plot.remark = "waits for the energies";
@@ -82,25 +91,35 @@ void addCreepCurve(const RunData& run, PlotData& plot) {
   const bool sanding = run.train() && run.train()->sanding;
   const CreepCurve::Situation situation{load_N, now.speed_mps, now.place_m, sanding};
   plot.curves.insert(plot.curves.begin(),
-                     {format("creep curve, %.1f km/h, %.0f kN an axle", now.speed_mps * kKilometresPerHour,
-                             load_N / kKilo) + (sanding ? ", sand" : ""),
-                      CurveStyle::kBackground, 0, false, true,
-                      run.creepCurve()->computePoints(least, largest, situation)});
+                     {sanding ? "creep curve, sanded" : "creep curve", CurveStyle::kBackground, 0, false, true,
+                      run.creepCurve()->computePoints(least, largest, situation), 4.0});
 }
 
 PlotData computeAdhesion(const RunData& run) {
-  PlotData plot{"Adhesion of " + locoName(static_cast<std::size_t>(run.locomotive() - 1)), "Creep [-], + driving",
-                "Adhesion used [-], + driving", "", 0.005, 0.05, "", {}};
+  PlotData plot{"Adhesion of " + locoName(static_cast<std::size_t>(run.locomotive() - 1)),
+                "Creep [-], + driving",
+                "Adhesion [-], + driving",
+                "",
+                0.005,
+                0.05,
+                "",
+                LegendCorner::kBottomRight,
+                {}};
   if (!run.adhesion()) {
     plot.remark = run.whyNoCurve().empty() ? "waits for the locomotive's adhesion" : run.whyNoCurve();
     return plot;
   }
+  plot.title += format(" at %.1f km/h", run.adhesion()->speed_mps * kKilometresPerHour);
   for (std::size_t i = 0; i < run.axles().size(); ++i)
     plot.curves.push_back({"axle " + std::to_string(i + 1) + ", passed", CurveStyle::kDots, static_cast<int>(i), false,
                            false, run.axles()[i].points()});
   for (std::size_t i = 0; i < run.adhesion()->axles.size(); ++i) {
     const AxleSample& axle = run.adhesion()->axles[i];
-    plot.curves.push_back({"axle " + std::to_string(i + 1), CurveStyle::kMarks, static_cast<int>(i), false, true,
+    plot.curves.push_back({"axle " + std::to_string(i + 1),
+                           CurveStyle::kMarks,
+                           static_cast<int>(i),
+                           false,
+                           true,
                            {{axle.creep, axle.adhesion}}});
   }
   addCreepCurve(run, plot);
@@ -108,7 +127,15 @@ PlotData computeAdhesion(const RunData& run) {
 }
 
 PlotData computeCouplers(const RunData& run) {
-  PlotData plot{"In-train forces", "Coupler from the head [-]", "Force [kN], draft +, buff -", "", 4.0, 10.0, "", {}};
+  PlotData plot{"In-train forces",
+                "Coupler from the head [-]",
+                "Force [kN], draft +",
+                "",
+                4.0,
+                10.0,
+                "",
+                LegendCorner::kTopRight,
+                {}};
   if (!run.train() || run.couplers().empty()) {
     plot.remark = run.train() ? "a single vehicle has no couplers" : "waits for the train";
     return plot;
@@ -122,21 +149,21 @@ PlotData computeCouplers(const RunData& run) {
     draft.points.push_back({number, run.couplers()[i].largest_N / kKilo});
     buff.points.push_back({number, run.couplers()[i].least_N / kKilo});
   }
-  plot.title += format(" at %.3f km, %.1f km/h", run.train()->place_m / kKilo,
-                       run.train()->speed_mps * kKilometresPerHour);
+  plot.title += format(" at %.3f km", run.train()->place_m / kKilo);
   plot.curves = {now, draft, buff};
   return plot;
 }
 
 PlotData computeSpeed(const RunData& run) {
-  PlotData plot{"Speed and notch", kPlace, "Speed [km/h]", "Notch [-]", 0.01, 5.0, "", {}};
+  PlotData plot{"Speed and notch", kPlace, "Speed [km/h]", "Notch [-]", 0.01, 5.0, "", LegendCorner::kBottomRight, {}};
   const double per_hour = 1.0 / kKilometresPerHour;
   plot.curves.push_back({"speed", CurveStyle::kLine, 0, false, true, scaled(run.speed(), kKilo, per_hour)});
-  plot.curves.push_back({"speed limit", CurveStyle::kDashes, 1, false, true, scaled(run.speedLimit(), kKilo, per_hour)});
+  plot.curves.push_back(
+      {"speed limit", CurveStyle::kDashes, 1, false, true, scaled(run.speedLimit(), kKilo, per_hour)});
   if (const LocoSeries* loco = chosen(run)) {
-    const std::string of = " of locomotive " + std::to_string(run.locomotive());
-    plot.curves.push_back({"notch" + of, CurveStyle::kSteps, 2, true, true, scaled(loco->notch, kKilo, 1.0)});
-    plot.curves.push_back({"brake notch" + of, CurveStyle::kSteps, 3, true, true, scaled(loco->brake_notch, kKilo, 1.0)});
+    plot.title += " of " + locoName(static_cast<std::size_t>(run.locomotive() - 1));
+    plot.curves.push_back({"notch", CurveStyle::kSteps, 2, true, true, scaled(loco->notch, kKilo, 1.0)});
+    plot.curves.push_back({"brake notch", CurveStyle::kSteps, 3, true, true, scaled(loco->brake_notch, kKilo, 1.0)});
   } else {
     plot.remark = missingLocomotive(run);
   }

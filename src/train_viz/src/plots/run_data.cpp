@@ -27,7 +27,8 @@ void RunData::add(const TrainSample& sample) {
   places_.push_back({sample.time_s, sample.place_m});
   if (places_.size() > kPlaces) places_.pop_front();
   speed_.add({sample.place_m, sample.speed_mps});
-  speed_limit_.add({sample.place_m, sample.speed_limit_mps});
+  // a run's first state, before the first step, has none
+  if (sample.speed_limit_mps > 0.0) speed_limit_.add({sample.place_m, sample.speed_limit_mps});
   if (locomotives_.size() < sample.traction_N.size()) locomotives_.resize(sample.traction_N.size());
   for (std::size_t i = 0; i < sample.traction_N.size(); ++i) {
     addIfThere(locomotives_[i].traction_N, sample.place_m, sample.traction_N, i);
