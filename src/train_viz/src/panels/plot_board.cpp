@@ -100,9 +100,12 @@ QWidget* PlotBoard::buildGrid() {
   auto* widget = new QWidget;
   auto* grid = new QGridLayout(widget);
   grid->setContentsMargins(0, 0, 0, 0);
-  const int columns = pages_.size() > 1 ? 2 : 1;
-  for (int i = 0; i < static_cast<int>(pages_.size()); ++i)
-    grid->addWidget(pages_[static_cast<std::size_t>(i)].sheet, i / columns, i % columns);
+  const int count = static_cast<int>(pages_.size());
+  const int columns = count > 1 ? 2 : 1;
+  for (int i = 0; i < count; ++i) {
+    const bool alone = i == count - 1 && i % columns == 0;  // the last one has its row to itself
+    grid->addWidget(pages_[static_cast<std::size_t>(i)].sheet, i / columns, i % columns, 1, alone ? columns : 1);
+  }
   return widget;
 }
 

@@ -101,6 +101,7 @@ QwtPlotCurve* newItem(const Curve& curve) {
   item->setItemAttribute(QwtPlotItem::Legend, curve.in_legend);
   item->setYAxis(curve.right_axis ? QwtPlot::yRight : QwtPlot::yLeft);
   item->setPen(penOf(curve));
+  item->setPaintAttribute(QwtPlotCurve::FilterPoints);  // no pixel twice: wide lines are slow
   item->setLegendAttribute(QwtPlotCurve::LegendShowLine, true);
   if (curve.style == CurveStyle::kBackground) item->setZ(kBehind);
   if (curve.style == CurveStyle::kDots) item->setStyle(QwtPlotCurve::Dots);
