@@ -30,6 +30,7 @@ TITLES = {
     11: "Contact geometry",
     12: "Hunting",
     13: "Rails that lie off",
+    14: "Brakes",
 }
 
 

@@ -37,4 +37,13 @@ TEST(TorqueLimitTest, DrivingBackwardsIsTheMirrorImage) {
   EXPECT_EQ(adhesion::limitRimPower(kPaper, -40e3, -50.0, 4.1e6), -adhesion::limitRimPower(kPaper, 40e3, 50.0, 4.1e6));
 }
 
+TEST(TorqueLimitTest, TheDynamicBrakeFadesBelowHalfAMetreASecondAndNeverDrivesBackwards) {
+  EXPECT_EQ(adhesion::fadeDynamicBrake(-40e3, 20.0), -40e3);
+  EXPECT_EQ(adhesion::fadeDynamicBrake(-40e3, 0.5), -40e3);
+  EXPECT_DOUBLE_EQ(adhesion::fadeDynamicBrake(-40e3, 0.125), -10e3);
+  EXPECT_EQ(adhesion::fadeDynamicBrake(-40e3, 0.0), 0.0);
+  EXPECT_EQ(adhesion::fadeDynamicBrake(-40e3, -1.0), 0.0);
+  EXPECT_EQ(adhesion::fadeDynamicBrake(40e3, 0.0), 40e3);  // traction starts from rest
+}
+
 }  // namespace

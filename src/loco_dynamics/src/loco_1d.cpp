@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
+#include "adhesion_control/torque_limit.hpp"
 #include "loco_dynamics/shoe_brake.hpp"
 #include "rail_core/constants.hpp"
 
@@ -25,13 +25,16 @@ void Loco1d::step(const std::vector<double>& state, const LocoForce& force, Loco
   const double s = state[0];
   const double v = state[1];
 
-  const double F_t = computeAdhesionLimitedTraction(force.traction_reference_N, adhesion_limit_N_);
+  const double F_t =
+      adhesion::fadeDynamicBrake(computeAdhesionLimitedTraction(force.traction_reference_N, adhesion_limit_N_), v);
   const double F_others = force.coupler_front_N + force.coupler_rear_N + F_t + force.propulsion_resistance_N +
                           force.curving_resistance_N + force.grade_N;
-  const double largest_N = std::min(force.shoe_force_N, adhesion_limit_N_ - std::abs(F_t));
-  const double F_shoes = computeHoldingForce(F_others + parameters_.inertial_mass_kg * v / H, largest_N);  // (K1)
-  const double F = F_others + F_shoes;                                                                     // Eq. (1)
-  const double v_end = v + H * F / parameters_.inertial_mass_kg;                                           // (T5)
+  const double stopping_N = F_others + parameters_.inertial_mass_kg * v / H;
+  const double F_shoes = std::clamp(computeHoldingForce(stopping_N, force.shoe_force_N),  // (B2)
+                                    -adhesion_limit_N_ - F_t, adhesion_limit_N_ - F_t);   // rim and rail: (T8) for both
+  const double F = F_others + F_shoes;                                                    // Eq. (1)
+  const bool stands = F_shoes == -stopping_N;  // exactly: F H/m would leave the last bit of v
+  const double v_end = stands ? 0.0 : v + H * F / parameters_.inertial_mass_kg;  // (T5)
   const double s_end = s + H * v_end;
 
   answer.step = force.step;

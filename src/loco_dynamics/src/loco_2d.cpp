@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "loco_dynamics/axle_step.hpp"
 #include "loco_dynamics/contact/creepage.hpp"
-#include "loco_dynamics/shoe_brake.hpp"
 #include "rail_core/constants.hpp"
 
 namespace loco {
@@ -147,30 +147,20 @@ void Loco2d::addContactForces(const LocoForce& force, double h, BodyVector& load
     a.slip_mps = state_.v[i][kPitch] * r - a.v_mps;
     const double location_m = state_.q[i][kX] + parameters_.structure.bodies[i].p_T.x();
     a.contact = contact_.computeAxleForce(a.normal_N, a.slip_mps, a.v_mps, location_m, force.sanding);
-    // Linearly implicit in w where the force rises with it: creep is stiff at low speed and with clean rail.     (P2)
-    const double m = dynamics_.layout().inertia(i, kX), J = dynamics_.layout().inertia(i, kPitch);
-    const double slope = std::max(a.contact.slope_N_s_per_m, 0.0);
-    const double largest_N = 2.0 * a.contact.friction * a.normal_N;  // the straight line may pass what the law cannot
-    const double stiffening = 1.0 + slope * h * (r * r / J + 1.0 / m);
-    const auto forceAt = [&](double torque_N_m) {
-      const double free_rate = r * torque_N_m / J - loads[i][kX] / m;  // dw/dt without the contact
-      return std::clamp((a.contact.force_N + slope * h * free_rate) / stiffening, -largest_N, largest_N);
-    };
-    const double turning = state_.v[i][kPitch] - state_.v[BodyLayout::bogieOfAxle(axle)][kPitch];
-    const double held = 1.0 - slope * h * r * r / J / stiffening;  // share of a torque that the contact leaves
-    const auto toStop = [&](double shoe_N_m, double share) {       // with the contact's force as these shoes leave it
-      const double T = loads[i][kPitch];
-      return (J * turning / h + T - r * forceAt(T + shoe_N_m)) / share;
-    };
-    a.shoe_N_m = 0.0;
-    if (largest_shoe_N_m > 0.0) {
-      a.shoe_N_m = computeHoldingForce(toStop(0.0, held), largest_shoe_N_m);  // (K1)
-      if (std::abs(forceAt(loads[i][kPitch] + a.shoe_N_m)) == largest_N)      // the contact gives no more
-        a.shoe_N_m = computeHoldingForce(toStop(a.shoe_N_m, 1.0), largest_shoe_N_m);
-      loads[i][kPitch] += a.shoe_N_m;
-      loads[BodyLayout::bogieOfAxle(axle)][kPitch] -= a.shoe_N_m;  // the shoes hang on the frame
-    }
-    a.force_N = forceAt(loads[i][kPitch]);
+    const AxleStep step{h,
+                        r,
+                        dynamics_.layout().inertia(i, kX),
+                        dynamics_.layout().inertia(i, kPitch),
+                        loads[i][kX],
+                        a.contact.force_N,
+                        std::max(a.contact.slope_N_s_per_m, 0.0),
+                        2.0 * a.contact.friction * a.normal_N};
+    auto& frame = loads[BodyLayout::bogieOfAxle(axle)];
+    const double turning_radps = state_.v[i][kPitch] - state_.v[BodyLayout::bogieOfAxle(axle)][kPitch];
+    a.shoe_N_m = step.shoeTorque(loads[i][kPitch], turning_radps, largest_shoe_N_m);
+    loads[i][kPitch] += a.shoe_N_m;
+    frame[kPitch] -= a.shoe_N_m;  // the shoes hang on the frame
+    a.force_N = step.creepForce(loads[i][kPitch]);
     loads[i][kZ] += 2.0 * a.normal_N;
     loads[i][kX] += a.force_N;
     loads[i][kPitch] -= a.force_N * r;

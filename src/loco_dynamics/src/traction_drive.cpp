@@ -35,9 +35,10 @@ void TractionDrive::addTorques(const LocoForce& force, const BodyVector& v, doub
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {
     const double omega = v[BodyLayout::wheelset(axle)][kPitch];
     measurements_[axle].omega_radps = omega;
-    measurements_[axle].torque_reference_N_m =
-        rim_power_limit_ ? adhesion::limitRimPower(limit_, reference_N_m, omega, force.rim_power_limit_W)
-                         : reference_N_m;
+    const double limited_N_m = rim_power_limit_
+                                   ? adhesion::limitRimPower(limit_, reference_N_m, omega, force.rim_power_limit_W)
+                                   : reference_N_m;
+    measurements_[axle].torque_reference_N_m = adhesion::fadeDynamicBrake(limited_N_m, omega * limit_.wheel_radius_m);
   }
   controller_->step(force.speed_mps, measurements_, state, commands_);
   for (std::size_t axle = 0; axle < BodyLayout::kAxles; ++axle) {

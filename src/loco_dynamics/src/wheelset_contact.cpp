@@ -75,6 +75,17 @@ double relativeSlope(double x) {
   return 0.75 * (2.0 * s0 * (1.0 - s0 * s0 / 3.0) - H * (t0 + s0 * c0) + 0.5 * H * H * s0);
 }
 
+/// Torque of the shoes, which stops the turning if it can, against forces on the straight lines of (W5).     (B2)
+/// @param change  of velocity in the step without shoes; becomes that with them
+template <typename Solver>
+double addShoeTorque(const Solver& solver, const WheelsetContact::Shoes& shoes, Vector6& change) {
+  const Vector6 per_torque = solver.solve(Vector6::Unit(kPitch));
+  const double stopping_N_m = (shoes.turning_radps + change[kPitch]) / per_torque[kPitch];
+  const double torque_N_m = computeHoldingForce(stopping_N_m, shoes.largest_N_m);
+  change += per_torque * torque_N_m;
+  return torque_N_m;
+}
+
 }  // namespace
 
 Vector3d WheelsetContact::Contact::force_N() const {
@@ -174,16 +185,8 @@ double WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& co
   }
   const auto solver = system.selfadjointView<Eigen::Lower>().llt();
   Vector6 change = solver.solve(load);  // v_n+1 - v_n
-  double shoe_N_m = 0.0;
-  if (shoes.largest_N_m > 0.0) {
-    Vector6 torque = Vector6::Zero();
-    torque[kPitch] = 1.0;
-    const Vector6 per_torque = solver.solve(torque);
-    shoe_N_m =
-        computeHoldingForce((shoes.turning_radps + change[kPitch]) / per_torque[kPitch], shoes.largest_N_m);  // (K1)
-    load[kPitch] += shoe_N_m;
-    change += per_torque * shoe_N_m;
-  }
+  const double shoe_N_m = shoes.largest_N_m > 0.0 ? addShoeTorque(solver, shoes, change) : 0.0;
+  load[kPitch] += shoe_N_m;
   for (std::size_t i = 0; i < contacts.count; ++i) {
     Contact& c = contacts.list[i];
     const double along_N = -c.slope_N_s_per_m.x() * alongSlip(c).dot(change);  // (W5)

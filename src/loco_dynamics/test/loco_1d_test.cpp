@@ -91,4 +91,71 @@ TEST(Loco1dTest, IsAPureFunctionOfStateAndForce) {
   EXPECT_TRUE(loco::samePayload(first, again));
 }
 
+loco::LocoTraction stepOnce(double v_mps, const loco::LocoForce& force) {
+  loco::Loco1d locomotive = makeLoco();
+  loco::LocoTraction answer;
+  locomotive.step({0.0, v_mps}, force, answer);
+  return answer;
+}
+
+TEST(Loco1dTest, TheDynamicBrakeIsLimitedByAdhesionAndNeverDrivesBackwards) {
+  loco::LocoForce force = makeForce();
+  force.traction_reference_N = -560e3;
+  EXPECT_NEAR(stepOnce(10.0, force).traction_N, -460.089e3, 0.5);
+  EXPECT_LT(stepOnce(10.0, force).work_rim_J, 0.0);
+  EXPECT_NEAR(stepOnce(0.25, force).traction_N, -0.5 * 460.089e3, 0.5);  // (A11): half of 0.5 m/s
+  EXPECT_EQ(stepOnce(0.0, force).traction_N, 0.0);
+  EXPECT_EQ(stepOnce(-1.0, force).traction_N, 0.0);
+}
+
+TEST(Loco1dTest, ShoesHoldOnAGradeAndBrakeBothWays) {
+  loco::LocoForce force = makeForce();
+  force.shoe_force_N = 30e3;
+  for (const double grade_N : {-20e3, 20e3}) {
+    force.grade_N = grade_N;
+    const loco::LocoTraction answer = stepOnce(0.0, force);
+    EXPECT_EQ(answer.speed_mps, 0.0);
+    EXPECT_EQ(answer.traction_N, -grade_N);
+    EXPECT_EQ(answer.work_shoes_J, 0.0);
+  }
+  force.grade_N = 0.0;
+  EXPECT_EQ(stepOnce(5.0, force).traction_N, -30e3);
+  EXPECT_EQ(stepOnce(-5.0, force).traction_N, 30e3);
+  force.grade_N = -40e3;  // more than they have
+  EXPECT_DOUBLE_EQ(stepOnce(0.0, force).speed_mps, -0.002 * 10e3 / kMass_kg);
+}
+
+TEST(Loco1dTest, ShoesStopItInTheComputedTimeWithoutReversingAndTakeAllOfItsEnergy) {
+  loco::Loco1d locomotive = makeLoco();
+  loco::LocoForce force = makeForce();
+  force.shoe_force_N = 67e3;  // 0.5 m/s^2
+  loco::LocoTraction answer;
+  std::vector<double> state = {100.0, 10.0};
+  double work_J = 0.0;
+  int moving = 0;
+  for (int i = 0; i < 11000; ++i) {
+    locomotive.step(state, force, answer);
+    state = answer.state;
+    work_J += answer.work_shoes_J;
+    ASSERT_GE(answer.speed_mps, 0.0);
+    moving += answer.speed_mps > 0.0 ? 1 : 0;
+  }
+  EXPECT_EQ(answer.speed_mps, 0.0);
+  EXPECT_NEAR(0.002 * moving, 20.0, 0.0021);                     // v/a, to a step
+  EXPECT_NEAR(answer.location_m - 100.0, 100.0, 0.0101);         // v^2/(2 a); (T5) is late by half a step
+  EXPECT_NEAR(work_J, 0.5 * kMass_kg * 100.0, 1e-9 * kMass_kg);  // round-off
+}
+
+TEST(Loco1dTest, ShoesAndMotorsTogetherFindTheSameAdhesion) {
+  loco::LocoForce force = makeForce();
+  force.shoe_force_N = 300e3;
+  force.traction_reference_N = -400e3;
+  EXPECT_NEAR(stepOnce(10.0, force).traction_N, -460.089e3, 0.5);
+  force.traction_reference_N = 460e3;  // against each other the rail feels the difference
+  EXPECT_NEAR(stepOnce(10.0, force).traction_N, 160e3, 0.5);
+  force.traction_reference_N = 0.0;
+  force.shoe_force_N = 900e3;
+  EXPECT_NEAR(stepOnce(10.0, force).traction_N, -460.089e3, 0.5);
+}
+
 }  // namespace

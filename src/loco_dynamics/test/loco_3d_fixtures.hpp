@@ -82,6 +82,7 @@ struct Ride3d {
     sum.frames += a.frames;
     sum.dampers += a.dampers;
     sum.slip += a.slip;
+    sum.shoes += a.shoes;
     sum.contact_damping += a.contact_damping;
     sum.kinetic += a.kinetic;
     sum.stored += a.stored;

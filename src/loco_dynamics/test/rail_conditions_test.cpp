@@ -69,4 +69,35 @@ TEST(RailConditionsTest, WithoutSectionsOneLawHoldsEverywhere) {
   EXPECT_EQ(laws.at(0.0, false).parameters().friction.mu0, 0.35);
 }
 
+/// A section of 0.2 from 3.2 to 3.3 km, 0.35 elsewhere, and this law under sand.
+loco::RailConditions readSanded(const std::string& sanded, rail::Problems& problems) {
+  return read(section("3.2", "3.3", "0.2") + "sanded_adhesion: " + sanded + "\n", problems);
+}
+
+TEST(RailConditionsTest, SandHoldsWhereItOffersMoreThanThePlaceAndOnlyWhileItIsLaid) {
+  rail::Problems problems;
+  const loco::CreepLawByPlace laws(readSanded(law("0.28"), problems));
+  problems.throwIfAny();
+  EXPECT_EQ(laws.at(3250.0, true).parameters().friction.mu0, 0.28);
+  EXPECT_EQ(laws.at(3250.0, false).parameters().friction.mu0, 0.2);
+  EXPECT_EQ(&laws.at(3100.0, true), &laws.at(3100.0, false));
+}
+
+TEST(RailConditionsTest, SandWithoutALawOfItsOwnChangesNothing) {
+  rail::Problems problems;
+  const loco::CreepLawByPlace laws(read(section("3.2", "3.3", "0.2"), problems));
+  problems.throwIfAny();
+  EXPECT_EQ(&laws.at(3250.0, true), &laws.at(3250.0, false));
+}
+
+TEST(RailConditionsTest, RefusesFaultsOfTheLawUnderSandAllAtOnce) {
+  rail::Problems problems;
+  readSanded("{name: x, method: polach, friction: {mu0: 1.2, A: 0.4, B: 0.2}, polach: {k_A: 1, k_S: 0.4}}", problems);
+  ASSERT_EQ(problems.lines().size(), 3u);
+  EXPECT_NE(problems.lines()[0].find("sanded_adhesion.friction.mu0 = 1.2: must be"), std::string::npos)
+      << problems.lines()[0];
+  EXPECT_NE(problems.lines()[1].find("sanded_adhesion.friction.B_s_per_m: is missing"), std::string::npos);
+  EXPECT_NE(problems.lines()[2].find("sanded_adhesion.friction.B = 0.2: unknown key"), std::string::npos);
+}
+
 }  // namespace

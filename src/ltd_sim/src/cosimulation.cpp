@@ -172,10 +172,10 @@ void Cosimulation::checkEnd() {
   } else if (const std::string fault = runaway(); !fault.empty()) {
     end(Outcome::Kind::kFailed, fault);
   } else if (stands()) {
-    if (!silence_.empty())
-      end(Outcome::Kind::kFailed, silence_ + ", and stands at " + kilometres(leadingLocation()));
-    else if (scenario_.run.standstill_time > 0)
+    if (silence_.empty())
       end(Outcome::Kind::kFinished, "stands at " + kilometres(leadingLocation()));
+    else
+      end(Outcome::Kind::kFailed, silence_ + ", and stands at " + kilometres(leadingLocation()));
   } else if (stalled()) {
     end(Outcome::Kind::kFailed, "stalled at " + kilometres(leadingLocation()) +
                                     ": traction on, and slower than stall.speed_below_mps for stall.for_s");
@@ -192,7 +192,8 @@ bool Cosimulation::stalled() {
   return time() - state_.slow_since >= scenario_.run.stall_time;
 }
 
-/// At rest since run.end_at_standstill_s, after having moved.
+/// At rest for so long, after having moved, that the run ends: for run.end_at_standstill_s or, if the driver is silent,
+/// for a second.
 bool Cosimulation::stands() {
   constexpr double kMoving_mps = 0.1, kResting_mps = 0.005;  // chosen: a locomotive's wheels creep on a grade
   const double v = std::abs(leadingSpeed());
@@ -202,7 +203,9 @@ bool Cosimulation::stands() {
     return false;
   }
   if (state_.standing_since < 0) state_.standing_since = time();
-  return time() - state_.standing_since >= scenario_.run.standstill_time;
+  const rail::Nanoseconds asked = scenario_.run.standstill_time;
+  if (asked == 0 && silence_.empty()) return false;
+  return time() - state_.standing_since >= (asked > 0 ? asked : rail::kNanosecondsPerSecond);
 }
 
 std::string Cosimulation::runaway() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "driver_sources.hpp"
+
 namespace ltd {
 
 namespace {
@@ -54,6 +56,12 @@ ExternalDriver Driver::readExternal(rail::YamlReader& reader, rail::Nanoseconds 
       silence.numberOr("pipe_bar", rail::between(0.0, charged_bar), charged_bar) * kPascalsPerBar;
   command.independent_brake = silence.numberOr("independent_brake", rail::between(0.0, 1.0), 0.0);
   command.emergency = silence.booleanOr("emergency", false);
+  if (!largest.air_brake && command.pipe_pressure_Pa < kChargedPipe_Pa)
+    silence.refuse("pipe_bar", std::string("must be 5, ") + kNoAirBrake);
+  if (!largest.air_brake && command.independent_brake > 0.0)
+    silence.refuse("independent_brake", std::string("must be 0, ") + kNoAirBrake);
+  if (!largest.air_brake && command.emergency)
+    silence.refuse("emergency", std::string("must be false, ") + kNoAirBrake);
   silence.finish();
   return external;
 }
@@ -62,7 +70,7 @@ Driver Driver::read(rail::YamlReader reader, const std::vector<std::string>& gro
                     const std::vector<int>& largest_notch, const std::vector<int>& largest_brake_notch,
                     rail::Nanoseconds macro_step, const rail::Track& track, const TrainAbility& ability) {
   Driver driver;
-  driver.largest_ = {largestOf(largest_notch), largestOf(largest_brake_notch)};
+  driver.largest_ = {largestOf(largest_notch), largestOf(largest_brake_notch), ability.air_brake, ability.sand};
   const std::string kind = reader.choiceOr("kind", {"schedule", "recorder", "timetable", "external"}, "schedule");
   if (kind == "schedule") driver.schedule_ = DriverSchedule::read(reader, driver.largest_);
   if (kind == "recorder") driver.schedule_ = DriverSchedule::readRecorder(reader, driver.largest_);

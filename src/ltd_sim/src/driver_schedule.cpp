@@ -12,6 +12,9 @@ namespace ltd {
 
 namespace {
 
+constexpr const char* kNoSand =
+    "must be 0: the scenario has no sanded_adhesion, so sand would change nothing: give one, or leave sanding out";
+
 bool isWholeUpTo(double x, int largest) { return x == std::floor(x) && x >= 0.0 && x <= largest; }
 
 }  // namespace
@@ -50,10 +53,13 @@ std::string DriverSchedule::valueRule(std::size_t channel, double value, const L
                  ? ""
                  : "must be a whole brake notch from 0 to " + std::to_string(largest.brake_notch);
     case kPipe:
+      if (!largest.air_brake && value < kChargedPipe_Pa) return "must be 5, " + std::string(kNoAirBrake);
       return value >= 0.0 && value <= kChargedPipe_Pa ? "" : "must be 0 to 5 bar";
     case kIndependent:
+      if (!largest.air_brake && value > 0.0) return "must be 0, " + std::string(kNoAirBrake);
       return value >= 0.0 && value <= 1.0 ? "" : "must be a share from 0 to 1";
     default:
+      if (!largest.sand && value == 1.0) return kNoSand;
       return value == 0.0 || value == 1.0 ? "" : "must be 0 or 1";
   }
 }
@@ -159,9 +165,11 @@ DriverSchedule DriverSchedule::read(rail::YamlReader& reader, const Largest& lar
   } else {
     schedule.readLists(reader, sources);
   }
-  if (reader.has("emergency_from"))
+  if (reader.has("emergency_from")) {
     schedule.emergency_from_ =
         reader.number("emergency_from", rail::anyNumber()) * (schedule.over_time_ ? 1.0 : rail::kMetresPerKilometre);
+    if (!largest.air_brake) reader.refuse("emergency_from", std::string("must be left out, ") + kNoAirBrake);
+  }
   for (DriverSource& source : sources) source.from_to_si = schedule.over_time_ ? 1.0 : rail::kMetresPerKilometre;
   sources[kPipe].value_to_si = kPascalsPerBar;
   schedule.takeAll(sources, largest);

@@ -18,6 +18,9 @@ struct DriverSource {
   std::function<void(std::size_t row, std::size_t cell, const std::string& rule)> refuse;
 };
 
+/// The end of every rule that an air brake which is not there breaks.
+inline constexpr const char* kNoAirBrake = "or the scenario must have an air_brake: it has none";
+
 /// A column that the user named, and its unit.
 struct Named {
   std::string name;

@@ -55,7 +55,7 @@ struct RunResult {
 RunResult runOnce(const Scenario& scenario, const std::string& folder, const BagFactory& bag_factory) {
   if (scenario.driver.external())
     throw rail::ConfigError({scenario.file + ": driver.kind = external: nobody can answer offline: run it in the graph "
-                             "(roslaunch), or give another kind"});
+                                             "(roslaunch), or give another kind"});
   LocalFleet fleet(scenario);
   RunOutputs outputs(scenario, folder);
   std::unique_ptr<RunObserver> bag = bag_factory ? bag_factory(scenario, folder) : nullptr;
@@ -85,7 +85,7 @@ void tell(const Scenario& scenario, const RunResult& run, const std::string& fol
   const rail::EnergyAccount& a = run.state.account;
   const double lead_v = run.state.v_mps[scenario.train.locomotives.front().vehicle];
   std::printf("%s: %s: %s\n", scenario.name.c_str(), toString(run.outcome.kind).c_str(), run.outcome.reason.c_str());
-  std::printf("  time %.3f s, speed %.3f km/h, traction at the rail %.3f kWh, residual of the account %.2g of it\n",
+  std::printf("  time %.3f s, speed %.3f km/h, traction at the rail %.3f kWh, residual of the account %.2g\n",
               static_cast<double>(run.state.step) * rail::toSeconds(scenario.macro_step), lead_v * rail::kKmphPerMps,
               a.traction_rail / rail::kJoulesPerKilowattHour, a.residualRelative());
   for (const std::string& note : run.outcome.notes) std::printf("  note: %s\n", note.c_str());

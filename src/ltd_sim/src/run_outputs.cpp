@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "ltd_sim/coupler_writer.hpp"
 #include "ltd_sim/csv_file.hpp"
 #include "ltd_sim/section_writer.hpp"
 #include "ltd_sim/summary_writer.hpp"
@@ -33,11 +34,12 @@ RunOutputs::RunOutputs(const Scenario& scenario, const std::string& folder) : sc
   writers_.push_back(std::make_unique<SummaryWriter>(scenario, folder + "/summary.csv"));
   writers_.push_back(std::make_unique<TimeseriesWriter>(scenario, folder + "/timeseries.csv"));
   writers_.push_back(std::make_unique<SectionWriter>(scenario, folder + "/energy_sections.csv"));
+  writers_.push_back(std::make_unique<CouplerWriter>(scenario, folder + "/couplers.csv"));
 }
 
 void removeOutputs(const std::string& folder) {
   for (const char* name : {"outcome.yaml", "outcome.before.yaml", "scenario.resolved.yaml", "summary.csv",
-                           "timeseries.csv", "energy_sections.csv"})
+                           "timeseries.csv", "energy_sections.csv", "couplers.csv"})
     std::remove((folder + "/" + name).c_str());
 }
 

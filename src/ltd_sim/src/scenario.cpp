@@ -119,7 +119,7 @@ OutputOptions readOutput(rail::YamlReader reader, const Bounds& bounds, rail::Na
 }
 
 Driver readDriver(rail::YamlReader reader, const TrainModel& train, rail::Nanoseconds macro_step,
-                  const rail::Track& track, const AirBrake& air_brake) {
+                  const rail::Track& track, const AirBrake& air_brake, bool sand) {
   std::vector<int> largest(train.notch_groups.size(), 1 << 20);
   for (const LocoUnit& unit : train.locomotives)
     largest[unit.notch_group] = std::min(largest[unit.notch_group], train.traction[unit.type].notches());
@@ -127,8 +127,14 @@ Driver readDriver(rail::YamlReader reader, const TrainModel& train, rail::Nanose
   for (const LocoUnit& unit : train.locomotives)
     largest_brake[unit.notch_group] =
         std::min(largest_brake[unit.notch_group], train.dynamic_brakes[unit.type].notches());
-  return Driver::read(reader, train.notch_groups, largest, largest_brake, macro_step, track,
-                      computeAbility(train, air_brake));
+  TrainAbility ability = computeAbility(train, air_brake);
+  ability.sand = sand;
+  return Driver::read(reader, train.notch_groups, largest, largest_brake, macro_step, track, ability);
+}
+
+bool anyHasContacts(const TrainModel& train) {
+  const std::vector<LocoUnit>& units = train.locomotives;
+  return std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::hasContacts(u.model); });
 }
 
 /// Refuses keys that do nothing in this train; leaves them alone if the train is not known.
@@ -148,8 +154,7 @@ void refuseKeys(rail::YamlReader& root, const std::vector<std::string>& keys, bo
 std::vector<loco::RailConditions::Section> readContactOptions(rail::YamlReader& root, const Scenario& scenario,
                                                               bool train_known, bool step_known) {
   const std::vector<LocoUnit>& units = scenario.train.locomotives;
-  const bool needed =
-      std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::hasContacts(u.model); });
+  const bool needed = anyHasContacts(scenario.train);
   const bool spatial =
       std::any_of(units.begin(), units.end(), [](const LocoUnit& u) { return loco::isSpatial(u.model); });
   if (spatial)
@@ -157,7 +162,8 @@ std::vector<loco::RailConditions::Section> readContactOptions(rail::YamlReader& 
   else
     refuseKeys(root, {"profiles", "gravity_stiffness"}, train_known, "is of use to 3D locomotives only");
   if (!needed) {
-    refuseKeys(root, {"adhesion", "rail_sections", "control"}, train_known, "is of no use to 1D locomotives");
+    refuseKeys(root, {"adhesion", "sanded_adhesion", "rail_sections", "control"}, train_known,
+               "is of no use to 1D locomotives");
     return {};
   }
   return loco::readModelOptions(root, step_known ? scenario.micro_step : 0).rail.sections;
@@ -241,9 +247,11 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   const bool sections_known =
       isSound(problems, [&] { sections = readContactOptions(root, scenario, model_known && train_known, step_known); });
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
+  // Sand does nothing in 1D either, but a driver may be shared with models in which it does.
+  const bool sand = !model_known || !train_known || !anyHasContacts(scenario.train) || root.has("sanded_adhesion");
   if (root.has("air_brake")) scenario.air_brake = AirBrake::read(root.map("air_brake"), scenario.train);
   scenario.driver =
-      readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track, scenario.air_brake);
+      readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track, scenario.air_brake, sand);
   const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};
   scenario.output = readOutput(root.map("output"), bounds, scenario.macro_step, step_known);
   root.finish();

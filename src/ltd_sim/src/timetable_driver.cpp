@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "rail_core/constants.hpp"
 
@@ -17,9 +18,12 @@ constexpr double kLargestIntegral_mps2 = 0.02;  // chosen: 2 permille of grade
 constexpr double kLargestStart_mps2 = 0.5;      // chosen: more than a freight train's traction gives
 constexpr double kBrakeBand_mps = 0.5;     // chosen: he brakes for the timetable's sake only this much above cruising
 constexpr double kIndifferent_mps = 0.25;  // chosen: 1 km/h that he does not answer, or notches would follow each other
-constexpr double kRolls_mps =
-    4.0;  // chosen: no traction downhill where the train gains speed by itself, if so near to it
+// Downhill he leaves to the grade what it gains within a minute, up to 14 km/h; both chosen.
+constexpr double kRolls_mps = 4.0;
+constexpr double kRolls_s = 60.0;
+constexpr double kSettled_s = 30.0;         // chosen: so near to a point seconds are not worth a change of speed
 constexpr double kSlowestCruise_mps = 3.0;  // chosen: slower than that he would rather be early
+constexpr double kEasing = 0.9;  // chosen: he slows for the timetable's sake by the dynamic brake, not by air
 constexpr double kStanding_mps = 0.05;
 constexpr double kStopTolerance_m = 20.0;  // chosen: nearer to the stop he does not move up
 constexpr double kSlope_m = 1.0;           // chosen: distance over which a braking curve's slope is taken
@@ -44,8 +48,7 @@ void TimetableDriver::command(const DriverView& view, State& state, DriverComman
   if (state.waiting && view.t >= state.departure) {
     state.waiting = false;
     state.leaving = true;
-    state.next_plan = view.t;
-    ++state.point;
+    leavePoint(view, state);
   }
   if (view.t >= state.next_plan) {
     plan(view, state);
@@ -64,7 +67,7 @@ void TimetableDriver::passPoints(const DriverView& view, State& state) const {
     if (point->stop && view.speed_mps > kStanding_mps) return;
     noteArrival(*point, view, state);
     if (!point->stop) {
-      ++state.point;
+      leavePoint(view, state);
       continue;
     }
     if (left_m < -kStopTolerance_m)
@@ -73,6 +76,12 @@ void TimetableDriver::passPoints(const DriverView& view, State& state) const {
     state.departure = std::numeric_limits<rail::Nanoseconds>::max();
     if (point->dwell_s) state.departure = view.t + static_cast<rail::Nanoseconds>(std::llround(*point->dwell_s * 1e9));
   }
+}
+
+void TimetableDriver::leavePoint(const DriverView& view, State& state) const {
+  ++state.point;
+  state.planned = false;
+  state.next_plan = view.t;
 }
 
 void TimetableDriver::noteArrival(const Point& point, const DriverView& view, State& state) const {
@@ -85,15 +94,17 @@ void TimetableDriver::noteArrival(const Point& point, const DriverView& view, St
 /// The slowest cruising speed that still meets the next time; the line's fastest if none does or none is asked. (V6)
 void TimetableDriver::plan(const DriverView& view, State& state) const {
   const double fastest = line_.largestSpeed();
-  state.cruise_mps = fastest;
   const Point* const point = nextPoint(state);
-  if (!point || !point->time_s) return;
-  const double left_s = *point->time_s - rail::toSeconds(view.t);
+  const double left_s = point && point->time_s ? *point->time_s - rail::toSeconds(view.t) : -kSettled_s;
+  if (state.planned && point && !point->stop && std::fabs(left_s) < kSettled_s) return;
+  state.planned = true;
+  state.cruise_mps = fastest;
+  if (left_s <= 0.0) return;
   const auto time = [&](double cruise_mps) {
     return line_.runningTime(view.location_m, view.speed_mps, point->location_m, point->stop, cruise_mps);
   };
   if (time(fastest) >= left_s) return;
-  double low = std::min(kSlowestCruise_mps, fastest), high = fastest;
+  double low = std::min(std::max(kSlowestCruise_mps, kEasing * view.speed_mps), fastest), high = fastest;
   for (int i = 0; i < 12; ++i) {  // chosen: 12 halvings leave less than 0.01 m/s
     const double middle = 0.5 * (low + high);
     (time(middle) > left_s ? low : high) = middle;
@@ -127,7 +138,7 @@ void TimetableDriver::drive(const DriverView& view, State& state, DriverCommand&
   const double reference = std::min(permitted, state.cruise_mps);
   integrate(reference - view.speed_mps, state, lead);
   const double brake_reference = std::min(permitted, state.cruise_mps + kBrakeBand_mps);
-  const bool rolls = known_N > 0.0 && reference - v < kRolls_mps;
+  const bool rolls = known_N > 0.0 && reference - v < std::min(kRolls_mps, kRolls_s * known_N / ability_.mass_kg);
   const DriverControls::Wanted wanted{rolls ? 0.0 : force(reference, state.integral_mps2),
                                       std::max(0.0, -force(brake_reference, 0.0)), brake_reference - v};
   controls_.apply(wanted, ability_, view, state.controls, lead);

@@ -41,6 +41,7 @@ TrainAbility computeAbility(const TrainModel& train_model, const AirBrake& air_b
   const auto air = std::make_shared<const AirBrake>(air_brake);
   const auto applied = std::make_shared<const AirBrake::State>(fullService(air_brake));
   TrainAbility ability;
+  ability.air_brake = air_brake.present();
   for (const double mass_kg : train->inertial_mass_kg) ability.mass_kg += mass_kg;
   if (train->locomotives.empty()) return ability;
   const LocoUnit& lead = train->locomotives.front();

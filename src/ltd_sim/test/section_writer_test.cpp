@@ -35,7 +35,9 @@ TEST_F(SectionWriterTest, GivesEnergyPerSectionAndPerThousandGrossTonneKilometre
   const std::vector<Row> rows = cells("sections.csv");
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[0], (Row{"from_km", "to_km", "time_s", "final_speed_mps", "energy_rail_kWh", "energy_rim_kWh",
-                          "energy_rail_kWh_per_1000_gross_t_km", "energy_rim_kWh_per_1000_gross_t_km"}));
+                          "energy_rail_kWh_per_1000_gross_t_km", "energy_rim_kWh_per_1000_gross_t_km", "brake_rail_kWh",
+                          "recovered_rim_kWh", "air_brake_kWh", "storage_net_out_kWh", "line_net_kWh",
+                          "to_resistors_kWh", "fuel_kWh", "fuel_l", "fuel_l_per_1000_gross_t_km"}));
   // Gross mass 2 x 134 + 2 x 120 = 508 t; the sections are 0.5, 1.5 and, over all, 2 km long.
   const double expected[3][8] = {{3.0, 3.5, 0.002, 8.0, 10.0, 20.0, 10.0 / (0.508 * 0.5), 20.0 / (0.508 * 0.5)},
                                  {3.5, 5.0, 0.002, 16.0, 30.0, 40.0, 30.0 / (0.508 * 1.5), 40.0 / (0.508 * 1.5)},
@@ -44,6 +46,26 @@ TEST_F(SectionWriterTest, GivesEnergyPerSectionAndPerThousandGrossTonneKilometre
     for (std::size_t j = 0; j < 8; ++j)
       EXPECT_NEAR(number(rows[i + 1][j]), expected[i][j], 1e-13 * expected[i][j]) << i << " " << rows[0][j];
   }
+}
+
+TEST_F(SectionWriterTest, TellsWhatBrakesTookAndWhatIsBehindTheRimsOfAllLocomotives) {
+  run_.scenario.output.section_boundaries_m = {3000.0, 5000.0};
+  ltd::SectionWriter writer(run_.scenario, path("sections.csv"));
+  run_.start(writer);
+  ltd::TrainState next = run_.state;
+  next.s_m[1] = 5000.0;
+  next.account.brake_rail = 3.6e6, next.account.recovered_rim = 7.2e6, next.account.air_brake = 10.8e6;
+  for (ltd::PowerSupply::State& supply : next.supply) {
+    supply.storage_in_J = 3.6e6, supply.storage_out_J = 5.4e6;
+    supply.line_drawn_J = 9.0e6, supply.line_returned_J = 1.8e6;
+    supply.to_resistors_J = 36.0e6, supply.fuel_J = 72.0e6;
+  }
+  run_.stepTo(writer, next);
+  writer.onEnd(run_.state, {});
+  const std::vector<Row> rows = cells("sections.csv");
+  ASSERT_EQ(rows.size(), 2u);
+  const double expected[] = {1.0, 2.0, 3.0, 1.0, 4.0, 20.0, 40.0};
+  for (std::size_t j = 0; j < 7; ++j) EXPECT_NEAR(number(rows[1][8 + j]), expected[j], 1e-12) << rows[0][8 + j];
 }
 
 TEST_F(SectionWriterTest, InterpolatesLinearlyInPlaceAtABoundary) {

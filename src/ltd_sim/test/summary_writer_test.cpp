@@ -48,17 +48,28 @@ TEST_F(SummaryWriterTest, InterpolatesLinearlyInPlaceForEveryLocomotive) {
   next.s_m = {3028.5, 3010.0, 2991.5, 2973.0};
   next.v_mps = {9.0, 6.0, 9.0, 8.0};
   next.traction_N = {400.0, 800.0};
-  next.loco_energy[0] = {1000.0, 2000.0, 4000.0};
-  next.loco_energy[1] = {8000.0, 16000.0, 32000.0};
+  next.loco_energy[0] = {1000.0, 2000.0, 4000.0, 64.0, 128.0, 256.0};
+  next.loco_energy[1] = {8000.0, 16000.0, 32000.0, 512.0, 1024.0, 2048.0};
   run_.stepTo(writer, next);
   writer.onEnd(run_.state, {});
-  const std::vector<Row> expected = {
-      {"1d", "2", "traction_force", "N", "3.0025", "100"}, {"1d", "2", "speed", "m/s", "3.0025", "3"},
-      {"1d", "2", "time", "s", "3.0025", "0.0005"},        {"1d", "2", "energy_rail", "J", "3.0025", "250"},
-      {"1d", "2", "energy_rim", "J", "3.0025", "500"},     {"1d", "2", "energy_slip", "J", "3.0025", "1000"},
-      {"1d", "4", "traction_force", "N", "3.0025", "200"}, {"1d", "4", "speed", "m/s", "3.0025", "5"},
-      {"1d", "4", "time", "s", "3.0025", "0.0005"},        {"1d", "4", "energy_rail", "J", "3.0025", "2000"},
-      {"1d", "4", "energy_rim", "J", "3.0025", "4000"},    {"1d", "4", "energy_slip", "J", "3.0025", "8000"}};
+  const std::vector<Row> expected = {{"1d", "2", "traction_force", "N", "3.0025", "100"},
+                                     {"1d", "2", "speed", "m/s", "3.0025", "3"},
+                                     {"1d", "2", "time", "s", "3.0025", "0.0005"},
+                                     {"1d", "2", "energy_rail", "J", "3.0025", "250"},
+                                     {"1d", "2", "energy_rim", "J", "3.0025", "500"},
+                                     {"1d", "2", "energy_slip", "J", "3.0025", "1000"},
+                                     {"1d", "2", "energy_brake_rail", "J", "3.0025", "16"},
+                                     {"1d", "2", "energy_recovered_rim", "J", "3.0025", "32"},
+                                     {"1d", "2", "energy_shoes", "J", "3.0025", "64"},
+                                     {"1d", "4", "traction_force", "N", "3.0025", "200"},
+                                     {"1d", "4", "speed", "m/s", "3.0025", "5"},
+                                     {"1d", "4", "time", "s", "3.0025", "0.0005"},
+                                     {"1d", "4", "energy_rail", "J", "3.0025", "2000"},
+                                     {"1d", "4", "energy_rim", "J", "3.0025", "4000"},
+                                     {"1d", "4", "energy_slip", "J", "3.0025", "8000"},
+                                     {"1d", "4", "energy_brake_rail", "J", "3.0025", "128"},
+                                     {"1d", "4", "energy_recovered_rim", "J", "3.0025", "256"},
+                                     {"1d", "4", "energy_shoes", "J", "3.0025", "512"}};
   EXPECT_EQ(locoRows(), expected);
 }
 
@@ -82,6 +93,7 @@ TEST_F(SummaryWriterTest, RunRowsHaveNeitherVehicleNorPlaceAndChangesSinceTheSta
   rail::EnergyAccount& a = run_.state.account;
   a.traction_rail = 1000.0, a.traction_rim = 1100.0, a.slip_loss = 90.0, a.propulsion_resistance = 80.0;
   a.curving_resistance = 70.0, a.grade = 65.0, a.coupler_loss = 60.0;
+  a.brake_rail = 7.0, a.recovered_rim = 5.0, a.shoes = 1.0, a.air_brake = 3.0;
   a.kinetic_start = 300.0, a.kinetic = 350.0;
   a.potential_start = 200.0, a.potential = 240.0;
   a.coupler_stored_start = 10.0, a.coupler_stored = 40.0;
@@ -90,7 +102,11 @@ TEST_F(SummaryWriterTest, RunRowsHaveNeitherVehicleNorPlaceAndChangesSinceTheSta
       {"account_traction_rail", {"J", "1000"}},
       {"account_traction_rim", {"J", "1100"}},
       {"account_slip_loss", {"J", "90"}},
-      {"account_inside_locomotives", {"J", "10"}},
+      {"account_inside_locomotives", {"J", "11"}},  // 1100 - 5 - (1000 - 7) - 90 - 1
+      {"account_brake_rail", {"J", "7"}},
+      {"account_recovered_rim", {"J", "5"}},
+      {"account_shoes", {"J", "1"}},
+      {"account_air_brake", {"J", "3"}},
       {"account_propulsion_resistance", {"J", "80"}},
       {"account_curving_resistance", {"J", "70"}},
       {"account_grade", {"J", "65"}},
@@ -98,8 +114,8 @@ TEST_F(SummaryWriterTest, RunRowsHaveNeitherVehicleNorPlaceAndChangesSinceTheSta
       {"account_coupler_stored", {"J", "30"}},
       {"account_kinetic", {"J", "50"}},
       {"account_potential", {"J", "40"}},
-      {"account_residual", {"J", "670"}},
-      {"energy_residual_relative", {"1", "0.67"}},
+      {"account_residual", {"J", "660"}},
+      {"energy_residual_relative", {"1", "0.66"}},
       {"final_time", {"s", "0.002"}},
       {"final_speed", {"m/s", "2"}},
       {"final_location", {"m", "3005"}},

@@ -33,15 +33,25 @@ TEST_F(TimeseriesWriterTest, ShowsTheLeadingLocomotiveAndTheSumsOverAllOfThem) {
   next.traction_N = {100.0, 300.0};
   next.account.traction_rail = 7000.0;
   next.account.traction_rim = 8000.0;
+  next.account.brake_rail = 500.0;
+  next.account.recovered_rim = 250.0;
+  run_.forces.brake_notch = {2, 0};
+  run_.forces.view.speed_limit_mps = 15.0;
+  run_.forces.view.pipe_pressure_Pa = 4.5e5;
+  run_.forces.view.air_brake_N = -1000.0;
   run_.stepTo(writer, next);
   writer.onEnd(run_.state, {});
   const std::vector<Row> rows = cells("timeseries.csv");
   EXPECT_EQ(rows[0], (Row{"location_km", "time_s", "speed_mps", "notch", "traction_force_N", "traction_force_train_N",
                           "power_rail_train_W", "energy_rail_train_J", "energy_rim_train_J", "largest_draft_N",
-                          "largest_draft_coupler", "largest_buff_N", "largest_buff_coupler"}));
-  EXPECT_EQ(rows[1], (Row{"3", "0", "2", "0", "0", "0", "0", "0", "0", "0", "", "0", ""}));
+                          "largest_draft_coupler", "largest_buff_N", "largest_buff_coupler", "speed_limit_mps",
+                          "brake_notch", "pipe_pressure_bar", "air_brake_force_N", "energy_brake_rail_train_J",
+                          "energy_recovered_rim_train_J"}));
+  EXPECT_EQ(rows[1], (Row{"3", "0", "2", "0", "0", "0", "0", "0", "0", "0", "", "0", "", "22.2222222222222", "0", "5",
+                          "0", "0", "0"}));
   // Power: 100 N at 2.5 m/s and 300 N at 4 m/s.
-  EXPECT_EQ(rows[2], (Row{"3.0015", "0.004", "2.5", "5", "100", "400", "1450", "7000", "8000", "0", "", "0", ""}));
+  EXPECT_EQ(rows[2], (Row{"3.0015", "0.004", "2.5", "5", "100", "400", "1450", "7000", "8000", "0", "", "0", "", "15",
+                          "2", "4.5", "-1000", "500", "250"}));
 }
 
 TEST_F(TimeseriesWriterTest, ShowsTheLargestDraftAndBuffSinceTheRowBeforeWithTheirCouplers) {
@@ -60,8 +70,8 @@ TEST_F(TimeseriesWriterTest, ShowsTheLargestDraftAndBuffSinceTheRowBeforeWithThe
   writer.onEnd(run_.state, {});
   const std::vector<Row> rows = cells("timeseries.csv");
   ASSERT_EQ(rows.size(), 4u);
-  EXPECT_EQ(Row(rows[2].begin() + 9, rows[2].end()), (Row{"50", "2", "40", "2"}));
-  EXPECT_EQ(Row(rows[3].begin() + 9, rows[3].end()), (Row{"0", "", "5", "3"}));
+  EXPECT_EQ(Row(rows[2].begin() + 9, rows[2].begin() + 13), (Row{"50", "2", "40", "2"}));
+  EXPECT_EQ(Row(rows[3].begin() + 9, rows[3].begin() + 13), (Row{"0", "", "5", "3"}));
 }
 
 }  // namespace

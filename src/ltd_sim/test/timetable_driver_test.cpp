@@ -106,7 +106,7 @@ TEST(TimetableDriverTest, DownASteeperGradeAirJoinsOnceAndTheDynamicBrakeTrims) 
   EXPECT_GT(driver.lead(train.state).brake_notch, 0);
 }
 
-TEST(TimetableDriverTest, WithoutDynamicBrakeAirIsAppliedAndReleasedWithMinutesBetween) {
+TEST(TimetableDriverTest, WithoutDynamicBrakeAirIsAppliedAndReleasedOnceAMinuteAtMost) {
   for (const char* release : {"brake_release: direct\n", "brake_release: graduated\n"}) {
     const rail::Track track = descent(-10.0);
     ltd::TrainAbility can = drivers::ability();

@@ -1,10 +1,12 @@
 #include "rail_core/energy_account.hpp"
 
+#include <algorithm>
+
 namespace rail {
 
 double EnergyAccount::residualRelative() const {
-  if (traction_rail > 0.0) return residual() / traction_rail;
-  if (brake_rail + air_brake > 0.0) return residual() / (brake_rail + air_brake);
+  const double work = std::max(traction_rail, brake_rail + air_brake);
+  if (work > 0.0) return residual() / work;
   if (kinetic_start > 0.0) return residual() / kinetic_start;
   return residual();  // over 1 J
 }

@@ -29,6 +29,14 @@ TEST(EnergyAccountTest, RelativeToTractionWorkIfThereIsAny) {
   EXPECT_EQ(distinctTerms().residualRelative(), 849.0 / 1024.0);
 }
 
+TEST(EnergyAccountTest, RelativeToTheBrakesWorkIfThatIsLarger) {
+  EnergyAccount account = distinctTerms();
+  account.traction_rail = 1e-10;  // what a train at rest leaves
+  account.brake_rail = 512.0;
+  account.air_brake = 2048.0;
+  EXPECT_NEAR(account.residualRelative(), (-175.0 - 2560.0) / 2560.0, 1e-12);
+}
+
 TEST(EnergyAccountTest, RelativeToKineticEnergyWhenCoasting) {
   EnergyAccount account = distinctTerms();
   account.traction_rail = 0.0;

@@ -33,24 +33,30 @@ track:
 
 
 def simulate(locos: int, wagons: int, end_km: float = 4.5, limit_N: float = 460.1e3, slip: float = 0.0,
-             duration_s: float = 1e9, period_s: float = PERIOD_S) -> Dict[str, np.ndarray]:
-    """Rows of a run from 3.0 km and 5 km/h; `slip` is the share of the traction work lost while the limit acts."""
+             duration_s: float = 1e9, period_s: float = PERIOD_S, brake_from_s: float = 1e9) -> Dict[str, np.ndarray]:
+    """Rows of a run from 3.0 km and 5 km/h; `slip` is the share of the work at the rail lost while the limit acts, or in
+    braking. From brake_from_s on the motors brake with 200 kN each and the wagons' shoes with 10 kN each."""
     mass = locos * LOCO_KG + wagons * WAGON_KG
     s, v, t, force, row = 3000.0, 5.0 / 3.6, 0.0, 0.0, []
-    work = rim = resistance_work = 0.0
-    while s <= 1000.0 * end_km and t <= duration_s + 1e-9:
-        notch = min(8.0, 1.0 + t // 10.0)
-        row.append((t, s, v, notch, force, work, rim, resistance_work))
-        wanted = min(notch / 8.0 * 560e3, (notch / 8.0) ** 2 * 4.1e6 / v, limit_N)
+    work = rim = resistance_work = taken = recovered = slipped = air = 0.0
+    while s <= 1000.0 * end_km and t <= duration_s + 1e-9 and v > 0.5:
+        braking = t >= brake_from_s
+        notch = -5.0 if braking else min(8.0, 1.0 + t // 10.0)
+        row.append((t, s, v, notch, force, work, rim, resistance_work, taken, recovered, slipped, air))
+        wanted = -200e3 if braking else min(notch / 8.0 * 560e3, (notch / 8.0) ** 2 * 4.1e6 / v, limit_N)
         force += np.clip(wanted - force, -160e3 * period_s, 40e3 * period_s)
-        resistance = mass / 1000.0 * (6.0 + 0.03 * v * 3.6)
-        new_v = v + (locos * force - resistance) / mass * period_s
+        resistance, shoes = mass / 1000.0 * (6.0 + 0.03 * v * 3.6), 10e3 * wagons * braking
+        new_v = v + (locos * force - resistance - shoes) / mass * period_s
         step = (v + new_v) / 2.0 * period_s
-        work, resistance_work = work + force * step, resistance_work + resistance * step
-        rim += force * step * (1.0 + (slip if force >= 0.99 * limit_N else 0.0))
+        resistance_work, air = resistance_work + resistance * step, air + shoes * step
+        lost = slip * abs(force) * step if force < 0.0 or force >= 0.99 * limit_N else 0.0
+        if force >= 0.0:
+            work, rim, slipped = work + force * step, rim + force * step + lost, slipped + 0.9 * lost
+        else:
+            taken, recovered, slipped = taken - force * step, recovered - force * step - lost, slipped + lost
         s, v, t = s + step, new_v, t + period_s
-    return dict(zip(('time', 'location', 'speed', 'notch', 'traction', 'work', 'rim', 'resistance_work'),
-                    np.array(row).T))
+    return dict(zip(('time', 'location', 'speed', 'notch', 'traction', 'work', 'rim', 'resistance_work', 'taken', 'recovered',
+                     'slipped', 'air'), np.array(row).T))
 
 
 def coupler_forces(time: np.ndarray, traction: np.ndarray, locos: int, wagons: int) -> np.ndarray:
@@ -62,13 +68,20 @@ def coupler_forces(time: np.ndarray, traction: np.ndarray, locos: int, wagons: i
     return (share[:, None] * traction + wave).T
 
 
-def state_message(rows: Dict[str, np.ndarray], i: int, couplers: np.ndarray, locos: int) -> TrainState:
+def state_message(rows: Dict[str, np.ndarray], i: int, couplers: np.ndarray, locos: int,
+                  air_brake: bool = False) -> TrainState:
     m = TrainState(step=i * 10, time=rows['time'][i], location=rows['location'][i], speed=rows['speed'][i])
-    m.notch, m.traction = [rows['notch'][i]] * locos, [rows['traction'][i]] * locos
+    m.notch, m.brake_notch = [max(rows['notch'][i], 0.0)] * locos, [max(-rows['notch'][i], 0.0)] * locos
+    m.traction, m.speed_limit = [rows['traction'][i]] * locos, 80.0 / 3.6
     count = couplers.shape[1] + 1
     m.vehicle_location = list(rows['location'][i] - 15.0 * np.arange(count))
     m.vehicle_speed = [rows['speed'][i]] * count
     m.coupler_force = list(couplers[i])
+    if air_brake:  # the pipe is empty after 2 s, 250 m/s back; the locomotives have no shoes
+        since = np.clip(rows['time'][i] - rows['brake_from'] - 15.0 * np.arange(count) / 250.0, 0.0, 2.0)
+        m.pipe_pressure = list(5e5 - 2.5e5 * since)
+        m.cylinder_pressure = list(1.9e5 * since * (np.arange(count) >= locos))
+        m.shoe_force = [0.0] * count
     return m
 
 
@@ -78,13 +91,13 @@ def axle_columns(rows: Dict[str, np.ndarray]) -> Dict[str, np.ndarray]:
     load = np.tile(LOCO_KG * 9.81 / AXLES * (1.0 + 0.02 * (axle - (AXLES - 1) / 2.0)), (len(rows['time']), 1))
     share = rows['traction'][:, None] / AXLES
     adhesion = share / load
-    creep = np.minimum(SLIP_LIMIT, 0.7 * adhesion ** 2)
+    creep = np.copysign(np.minimum(SLIP_LIMIT, 0.7 * adhesion ** 2), adhesion)
     slip_mps = creep * rows['speed'][:, None]
     applied = share * WHEEL_RADIUS_M * np.ones(AXLES)
-    taken = np.where(creep >= 0.05, 1e3 * (1.0 + axle), 0.0)
-    return {'creep': creep, 'adhesion': adhesion, 'friction': 0.35 * (0.6 * np.exp(-0.275 * slip_mps) + 0.4),
+    taken = np.where(np.abs(creep) >= 0.05, np.copysign(1e3 * (1.0 + axle), creep), 0.0)
+    return {'creep': creep, 'adhesion': adhesion, 'friction': 0.35 * (0.6 * np.exp(-0.275 * np.abs(slip_mps)) + 0.4),
             'static_friction': np.full_like(load, 0.35), 'normal_force': load, 'force': share * np.ones(AXLES),
-            'torque_demanded': applied + taken, 'torque_applied': applied, 'controller_active': taken > 0.0,
+            'torque_demanded': applied + taken, 'torque_applied': applied, 'controller_active': taken != 0.0,
             'frictional_power': share * slip_mps, 't_gamma': share * creep}
 
 
@@ -122,36 +135,61 @@ def poses_message(i: int, stamp: genpy.Time, locomotive: int) -> TFMessage:
 def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: int) -> TrainEnergy:
     m = TrainEnergy()
     m.loco_energy_rail, m.loco_energy_rim = [rows['work'][i]] * locos, [rows['rim'][i]] * locos
-    m.loco_energy_slip = [0.9 * (rows['rim'][i] - rows['work'][i])] * locos
+    m.loco_energy_slip, m.loco_brake_rail = [rows['slipped'][i]] * locos, [rows['taken'][i]] * locos
+    m.loco_recovered_rim = [rows['recovered'][i]] * locos
+    supply_lists(rows, i, locos, m)
+    m.brake_rail, m.recovered_rim, m.air_brake = sum(m.loco_brake_rail), sum(m.loco_recovered_rim), rows['air'][i]
     m.traction_rail, m.traction_rim, m.slip_loss = (sum(values) for values in
                                                     (m.loco_energy_rail, m.loco_energy_rim, m.loco_energy_slip))
     m.propulsion_resistance, m.curving_resistance = 0.94 * rows['resistance_work'][i], 0.06 * rows['resistance_work'][i]
     m.kinetic = mass_kg / 2.0 * (rows['speed'][i] ** 2 - rows['speed'][0] ** 2)
-    m.residual = m.traction_rail - rows['resistance_work'][i] - m.kinetic
+    m.residual = m.traction_rail - m.brake_rail - m.air_brake - rows['resistance_work'][i] - m.kinetic
     m.residual_relative = m.residual / m.traction_rail if m.traction_rail else 0.0
     return m
 
 
+def supply_lists(rows: Dict[str, np.ndarray], i: int, locos: int, m: TrainEnergy) -> None:
+    """As of SUPPLY: half of what comes from the motors is stored, half heats the resistors; the engine does the rest."""
+    for name in ('fuel', 'litres', 'line', 'auxiliaries', 'storage_in', 'storage_out', 'stored', 'to_resistors', 'shoes'):
+        setattr(m, f'loco_{name}', [0.0] * locos)
+    if not rows['supply']:
+        return
+    shaft = (rows['rim'][i] / 0.9) / 0.8
+    m.loco_fuel, m.loco_litres = [shaft / 0.4] * locos, [shaft / 0.4 / 36e6] * locos
+    m.loco_storage_in = m.loco_to_resistors = [0.45 * rows['recovered'][i]] * locos
+    m.loco_stored = [1e8 + 0.45 * 0.95 * rows['recovered'][i]] * locos
+
+
+SUPPLY = ('{kind: diesel_storage, drivetrain_efficiency: 0.9, generator_efficiency: 0.8, engine: {rated_power_W: 4.6e6}, '
+          'storage: {capacity_J: 1.8e9}}')
+
+
 def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: int = 5, run_id: int = 1,
               resolved: Optional[str] = None, format_version: int = 3, rows_from: int = 0, with_wheels: Sequence[int] = (),
-              period_s: float = PERIOD_S, contacts: bool = False, **simulation) -> Dict:
+              period_s: float = PERIOD_S, contacts: bool = False, air_brake: bool = False, supply: bool = False,
+              **simulation) -> Dict:
     """Writes a bag and returns what it holds: simulate()'s columns, the coupler forces and the axles' columns.
 
+    @param air_brake   the train has one; it is applied as the motors' brakes are
+    @param supply      the locomotives have SUPPLY
     @param with_wheels locomotives, from 1, that have an adhesion topic
     @param contacts    they tell of contacts, as the model 3d does, and every tenth row has the first one's wheelsets on /tf
     """
     rows = simulate(locos, wagons, period_s=period_s, **simulation)
+    rows.update(brake_from=simulation.get('brake_from_s', 1e9), supply=supply)
     axles = axle_columns(rows)
     couplers = coupler_forces(rows['time'], rows['traction'], locos, wagons)
     configuration = RunConfiguration(format_version=format_version, build_id='test', run_id=run_id, scenario=scenario)
     configuration.resolved = RESOLVED % locals() if resolved is None else resolved
+    if supply:
+        configuration.resolved = configuration.resolved.replace('0.35}', f'0.35, supply: {SUPPLY}}}')
     mass = locos * LOCO_KG + wagons * WAGON_KG
     with rosbag.Bag(path, 'w') as bag:
         for i in range(rows_from, len(rows['time'])):
             stamp = genpy.Time(nsecs=10**9 + i * round(1e9 * period_s))  # stamps start at 1 s
             if i == rows_from:
                 bag.write('/train/configuration', configuration, stamp)
-            messages = [('/train/state', state_message(rows, i, couplers, locos)),
+            messages = [('/train/state', state_message(rows, i, couplers, locos, air_brake)),
                         ('/train/energy', energy_message(rows, i, mass, locos))]
             messages += [(f'/loco_{n}/adhesion', adhesion_message(rows, axles, i, n)) for n in with_wheels]
             for _, message in messages[2:] if contacts else ():

@@ -82,10 +82,26 @@ class AdhesionFiguresTest(unittest.TestCase):
         self.assertEqual(over_place.axes[0].get_yscale(), 'symlog')
         self.assertIn('logarithmic beyond 10 %', over_place.axes[0].get_ylabel())
 
-    def test_slip_limit_of_braking_is_marked_where_braking_comes_near(self):
-        run = self.with_wheels(creep=-self.run_2d.adhesion.creep)
-        limits = [line.get_xdata()[0] for line in draw_adhesion_creep(run).axes[0].get_lines()]
-        np.testing.assert_allclose(limits, (7.0, -7.0), rtol=1e-12)
+    def test_slip_limit_is_marked_on_the_side_that_comes_near_it(self):
+        creep = self.run_2d.adhesion.creep
+        both = np.where(np.arange(len(creep))[:, None] % 2, creep, -creep)
+        for values, marks, sign in ((creep, (7.0,), ''), (-creep, (-7.0,), '-'), (both, (7.0, -7.0), '\u00b1')):
+            figure = draw_adhesion_creep(self.with_wheels(creep=values))
+            np.testing.assert_allclose([line.get_xdata()[0] for line in figure.axes[0].get_lines()], marks, rtol=1e-12)
+            self.assertIn(f'slip limit {sign}7 %', legend_texts(figure))
+
+    def test_braking_wheels_lie_below_zero_with_the_friction_that_they_may_use(self):
+        adhesion, friction = self.run_2d.adhesion.adhesion, self.run_2d.adhesion.friction
+        run = self.with_wheels(creep=-self.run_2d.adhesion.creep, adhesion=-adhesion,
+                               shoe_torque_N_m=np.full_like(adhesion, -3e3))
+        offered = draw_adhesion_creep(run).axes[0].collections[0].get_offsets()
+        slips = run.adhesion.creep[:, 0] < 0.0
+        np.testing.assert_allclose(offered[slips, 1], -friction[slips, 0], rtol=1e-12)
+        mirrored = [line for line in curves(draw_friction_adhesion([run]).axes[0]) if np.nanmax(line.get_ydata()) < 0.0]
+        self.assertEqual(len(mirrored), 2)  # static friction, friction at the slip
+        torque = draw_adhesion_control(run).axes[1]
+        shoes, = [line for line in curves(torque) if line.get_label() == 'torque of shoes']
+        np.testing.assert_allclose(shoes.get_ydata(), -3.0, rtol=1e-12)
 
     def test_control_shows_creep_torque_and_where_it_acts(self):
         figure = draw_adhesion_control(self.run_2d)

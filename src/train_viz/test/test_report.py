@@ -63,11 +63,11 @@ class ReportTest(unittest.TestCase):
     def test_missing_out_is_refused(self):
         self.assertEqual(self.report(self.bag).returncode, 2)
 
-    def test_one_run_gives_six_figures(self):
+    def test_one_run_gives_seven_figures(self):
         write_bag(self.bag, 'paper 1d/x', duration_s=60.0)
         result = self.report(self.bag, '--out', self.out)
         self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
-        self.assert_figures(*COMPARISONS, 'energy_flow_paper_1d_x', 'coupler_forces_paper_1d_x')
+        self.assert_figures(*COMPARISONS, 'energy_flow_paper_1d_x', 'trip_paper_1d_x', 'coupler_forces_paper_1d_x')
 
     def test_two_runs_share_figures_but_for_flows_and_couplers(self):
         other = self.bag.replace('run.bag', 'other.bag')
@@ -76,7 +76,7 @@ class ReportTest(unittest.TestCase):
         result = self.report(self.bag, other, '--out', self.out)
         self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
         self.assert_figures(*COMPARISONS, 'coupler_forces_left', 'coupler_forces_right', 'energy_flow_left',
-                            'energy_flow_right')
+                            'energy_flow_right', 'trip_left', 'trip_right')
 
     def test_runs_with_wheels_beside_one_without_get_their_figures(self):
         other = self.bag.replace('run.bag', 'other.bag')
@@ -85,7 +85,7 @@ class ReportTest(unittest.TestCase):
         result = self.report(self.bag, other, '--out', self.out)
         self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
         self.assert_figures(*COMPARISONS, 'coupler_forces_1d', 'coupler_forces_2d', 'energy_flow_1d', 'energy_flow_2d',
-                            'friction_adhesion',
+                            'trip_1d', 'trip_2d', 'friction_adhesion',
                             'adhesion_creep_2d', 'adhesion_control_2d', 'axle_loads_2d')
 
     def test_vehicle_alone_gives_no_coupler_figure_and_says_so(self):
@@ -93,13 +93,13 @@ class ReportTest(unittest.TestCase):
         result = self.report(self.bag, '--out', self.out)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn('no couplers', result.stderr)
-        self.assert_figures(*COMPARISONS, 'energy_flow_synthetic')
+        self.assert_figures(*COMPARISONS, 'energy_flow_synthetic', 'trip_synthetic')
 
     def test_3d_locomotive_gives_its_wheels_figures_under_the_label_given(self):
         write_bag(self.bag, '3d', duration_s=60.0, with_wheels=(1, 2), contacts=True)
         result = self.report(os.path.dirname(self.bag), '--out', self.out, '--label', 'mine', '--loco', '2')  # its folder
         self.assertEqual((result.returncode, own_lines(result)), (0, []), result.stderr)
-        self.assert_figures(*COMPARISONS, 'coupler_forces_mine', 'energy_flow_mine', 'friction_adhesion', *(
+        self.assert_figures(*COMPARISONS, 'coupler_forces_mine', 'energy_flow_mine', 'trip_mine', 'friction_adhesion', *(
             f'{name}_mine' for name in ('adhesion_creep', 'adhesion_control', 'axle_loads', 'guiding_forces',
                                         'wheel_contacts')))
 
@@ -217,7 +217,8 @@ class ReportTest(unittest.TestCase):
         run = read_bag(self.bag)
         run.account['potential'][-1] = -30e6
         run.account['kinetic'][-1] += 30e6
-        sources, losses, sinks = flows_of(run)
+        sources, losses, sinks, braked = flows_of(run)
+        self.assertEqual(braked, [])
         self.assertEqual([flow[0] for flow in sources], ['motors, at the rim', 'given back: potential, change'])
         self.assertEqual([flow[0] for flow in losses], ['slip loss', 'wheel spin-up and other storage'])
         self.assertAlmostEqual(sources[1][2], 30.0, places=9)

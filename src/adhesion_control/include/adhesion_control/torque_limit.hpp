@@ -28,4 +28,11 @@ double computeTorqueReference(const TorqueLimit& limit, double force_reference_N
 double limitRimPower(const TorqueLimit& limit, double torque_reference_N_m, double omega_radps,
                      double rim_power_limit_W);
 
+/// Dynamic brake at low speed: motors that generate cannot turn a wheel backwards.                          (A11)
+///   F = F_ref min(1, max(0, u)/(0.5 m/s))   for F_ref < 0
+/// @param reference  force or torque, < 0: dynamic brake; others pass
+/// @param rim_speed_mps  u = omega r, + forward
+/// Source: chosen. Without it a wheel that locks would be driven backwards; the speed is the floor of slip (A1).
+double fadeDynamicBrake(double reference, double rim_speed_mps);
+
 }  // namespace adhesion

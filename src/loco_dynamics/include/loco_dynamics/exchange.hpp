@@ -40,7 +40,7 @@ struct LocoTraction {
   double location_m = 0.0;   ///< chainage of the CoG at the end of the step
   double work_rim_J = 0.0;   ///< of the motors' torques at the wheel rims during the step, < 0 when they brake
   double work_slip_J = 0.0;  ///< lost to slip between rim and rail during the step, >= 0
-  double work_shoes_J = 0.0;  ///< turned into heat by the brake shoes during the step, >= 0
+  double work_shoes_J = 0.0;  ///< turned into heat by the brake shoes during the step, >= 0 to 0.1 J
   std::vector<double> state;  ///< complete state at the end of the step
   AdhesionReport adhesion;    ///< at the end of the step
   std::string failure;        ///< empty, or why the model cannot go on: body, place, cause

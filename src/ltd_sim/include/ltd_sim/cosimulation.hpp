@@ -15,7 +15,8 @@ namespace ltd {
 
 /// Drives the train and its locomotives, macro step by macro step:
 ///   begin()      forces at t_k, sent to every locomotive; a driver in another program is asked first
-///   tryCommit()  once he and all N have answered: speeds compared (the paper's synchronisation check), one step of LTD with
+///   tryCommit()  once he and all N have answered: speeds compared (the paper's synchronisation check), one step of LTD
+///   with
 ///                the very forces that were sent, energies, observers, end of the run
 /// An observer that throws (a full disk, say) fails the run with its reason; the others still see the end.
 /// Never waits: whoever calls decides how. Sums run in index order, so the result does not depend on who answers first.

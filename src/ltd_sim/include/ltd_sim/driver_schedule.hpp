@@ -21,13 +21,16 @@ struct DriverSource;
 ///   notches, brake_notches, pipe_bar, independent_brake (share), sanding (0 or 1); and emergency_from: x
 /// or `table_file: x.csv`, first column time_s or location_km, then any of notch, brake_notch, pipe_bar,
 /// independent_brake, sanding; or `notches_table_file` with the columns of notches alone, in any order.
-/// Refused: entries not in order, a notch and a brake notch at once, numbers beyond their range.
+/// Refused: entries not in order, a notch and a brake notch at once, numbers beyond their range, commands to an air
+/// brake or of sand that the scenario has not.
 class DriverSchedule {
  public:
-  /// Largest notches that may be asked for.
+  /// The most that may be asked for.
   struct Largest {
     int notch = 0;
     int brake_notch = 0;
+    bool air_brake = true;  ///< false: the pipe stays charged, no brake is applied
+    bool sand = true;
   };
 
   /// Reads the keys above; the caller finishes the reader.

@@ -13,9 +13,9 @@ namespace ltd {
 /// YAML `dynamic_brake`, either `law: limits`:                                                      (D1)
 ///   F = (n/N) min(F_max fade(v), P/v),   fade = 0 below v_0, 1 from v_1 on, straight between
 /// with notches N, largest_force_N F_max, power_at_rail_W P, fade_from_kmph v_1, fade_to_kmph v_0; or `law: table` with
-/// `table_file: x.csv`, columns speed_kmph, notch_1_N ... notch_N_N (starts at 0 km/h with no force: motors cannot hold a
-/// standing train; rises or stays with the notch); between its speeds linear, beyond the last along the hyperbola of the
-/// last row's power. Both with rise_N_per_s, fall_N_per_s (motor response). A default-constructed one is no brake.
+/// `table_file: x.csv`, columns speed_kmph, notch_1_N ... notch_N_N (starts at 0 km/h with no force: motors cannot hold
+/// a standing train; rises or stays with the notch); between its speeds linear, beyond the last along the hyperbola of
+/// the last row's power. Both with rise_N_per_s, fall_N_per_s (motor response). A default-constructed one is no brake.
 /// Source: chosen; the usual shape of diesel-electric and electric dynamic brakes. Not modelled: resistor steps,
 /// extended range.
 class DynamicBrake {

@@ -9,8 +9,8 @@
 namespace ltd {
 
 /// The files that every run leaves in its folder, offline and in the graph: scenario.resolved.yaml, summary.csv,
-/// timeseries.csv, energy_sections.csv and, last of all, outcome.yaml (outcome, reason, step, time_s, location_km,
-/// exchange_digest).
+/// timeseries.csv, energy_sections.csv, couplers.csv and, last of all, outcome.yaml (outcome, reason, step, time_s,
+/// location_km, exchange_digest).
 class RunOutputs : public RunObserver {
  public:
   /// Makes the folder and opens the files; what an earlier run left there is removed.

@@ -19,8 +19,8 @@ struct RunLimits {
   double start_speed_mps = 0.0;
   double end_location_m = 0.0;
   rail::Nanoseconds end_time = 0;
-  double stall_speed_mps = 0.0;      ///< a stall: traction on and slower than this ...
-  rail::Nanoseconds stall_time = 0;  ///< ... for this long
+  double stall_speed_mps = 0.0;           ///< a stall: traction on and slower than this ...
+  rail::Nanoseconds stall_time = 0;       ///< ... for this long
   rail::Nanoseconds standstill_time = 0;  ///< ends when the train, having moved, has stood for so long; 0: does not
   double runaway_margin_mps = std::numeric_limits<double>::infinity();  ///< fails that far above the line's limit
 };

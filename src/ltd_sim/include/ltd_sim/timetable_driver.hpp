@@ -30,6 +30,7 @@ class TimetableDriver {
     rail::Nanoseconds next_control = 0;
     rail::Nanoseconds next_plan = 0;
     std::size_t point = 0;       ///< the next one
+    bool planned = false;        ///< towards that point
     double cruise_mps = 0.0;     ///< (V6)
     double integral_mps2 = 0.0;  ///< of the PI controller
     bool waiting = false;        ///< at a stop
@@ -58,6 +59,7 @@ class TimetableDriver {
   void readLine(rail::YamlReader& reader, const rail::Track& track);
 
   void passPoints(const DriverView& view, State& state) const;
+  void leavePoint(const DriverView& view, State& state) const;
   void noteArrival(const Point& point, const DriverView& view, State& state) const;
   void plan(const DriverView& view, State& state) const;
   void drive(const DriverView& view, State& state, DriverCommand& lead) const;

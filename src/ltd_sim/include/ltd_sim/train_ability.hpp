@@ -15,6 +15,8 @@ struct TrainAbility {
   double curving_N_m = 0.0;  ///< resistance in a curve times its radius, the whole train in it
   int notches = 0;           ///< of the lead group
   int brake_notches = 0;     ///< likewise; 0: no dynamic brake
+  bool air_brake = true;     ///< false: there is none, and none may be commanded
+  bool sand = true;          ///< false: sand would change nothing, and none may be commanded
   std::function<double(int notch, double v_mps)> traction_N;             ///< at the rail
   std::function<double(int brake_notch, double v_mps)> dynamic_brake_N;  ///< may be empty without brake notches
   std::function<double(double v_mps)> full_service_N;  ///< air brake after a full service reduction; empty: none

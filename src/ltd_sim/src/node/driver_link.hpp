@@ -13,9 +13,9 @@
 
 namespace ltd {
 
-/// A driver that is a node of his own: asked on /train/driver_view (latched, and asked again every 100 ms of wall time),
-/// heard on /train/driver. Only an answer that names this run and the step asked for counts. Not thread-safe but for
-/// the topics themselves.
+/// A driver that is a node of his own: asked on /train/driver_view (latched, and asked again every 100 ms of wall
+/// time), heard on /train/driver. Only an answer that names this run and the step asked for counts. Not thread-safe but
+/// for the topics themselves.
 class DriverLink : public DriverPort {
  public:
   using Receive = std::function<void(const train_msgs::DriverCommand&)>;

@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "driver_link.hpp"
 #include "loco_links.hpp"
 #include "ltd_sim/cosimulation.hpp"
-#include "driver_link.hpp"
 #include "ltd_sim/progress.hpp"
 #include "ltd_sim/run_control.hpp"
 #include "ltd_sim/run_outputs.hpp"

@@ -29,11 +29,11 @@ struct EnergyAccount {
 
   /// What the account does not explain [J].
   double residual() const {
-    return traction_rail - brake_rail - air_brake - propulsion_resistance - curving_resistance - coupler_loss - (kinetic - kinetic_start) -
-           (potential - potential_start) - (coupler_stored - coupler_stored_start);
+    return traction_rail - brake_rail - air_brake - propulsion_resistance - curving_resistance - coupler_loss -
+           (kinetic - kinetic_start) - (potential - potential_start) - (coupler_stored - coupler_stored_start);
   }
-  /// residual over the traction work if there is any; else over the work of the brakes; else over the kinetic energy
-  /// at the start (a coasting run); else over 1 J, so that a residual from nothing is seen, not hidden [-].
+  /// residual over the traction work or the work of the brakes, whichever is larger; without either over the kinetic
+  /// energy at the start (a coasting run); else over 1 J, so that a residual from nothing is seen, not hidden [-].
   double residualRelative() const;
 };
 

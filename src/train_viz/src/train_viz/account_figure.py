@@ -1,18 +1,19 @@
 """The energy account of the whole train: sources against sinks as bars, all numbers in a table."""
-from typing import List, Tuple
+from typing import List, Optional, Tuple
 
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from train_viz import plot_style
+from train_viz.energy_stages import final_MJ, supply_MJ
 from train_viz.run import Run
 
 # What the traction gives, and where it goes: (field of TrainEnergy or of `final_MJ`, words, colour)
 SOURCES = (
     ('traction_rail', 'traction at the rail', '0.35'),
-    ('slip_loss', 'slip loss', '0.60'),
-    ('rim_rest', 'wheel spin-up and other storage', '0.80'),
+    ('slip_driving', 'slip loss', '0.60'),
+    ('rest_driving', 'wheel spin-up and other storage', '0.80'),
 )
 SINKS = (
     ('kinetic', 'kinetic, change', plot_style.BLUE),
@@ -21,42 +22,50 @@ SINKS = (
     ('potential', 'potential, change', plot_style.SKY),
     ('coupler_loss', 'coupler loss', plot_style.VERMILION),
     ('coupler_stored', 'coupler springs, change', plot_style.PURPLE),
+    ('air_brake', "air brake, wagons' shoes", '#7F3B08'),
+)
+# What the locomotives' brakes take at the rail, and what they turn it into
+BRAKE_RAIL = ('brake_rail', "locomotives' brakes, at the rail", '0.45')
+BRAKED = (
+    ('recovered_rim', 'recovered by motors, at the rim', '#1B7837'),
+    ('shoes', "locomotives' shoes", '#A6611A'),
+    ('slip_braking', 'slip loss, braking', '0.60'),
+    ('rest_braking', 'wheel spin, braking', '0.80'),
 )
 
 
 def draw_energy_account(runs: List[Run]) -> Figure:
     """Bars to compare by eye, one pair a run; below, the numbers with place, time and speed at the end."""
-    bars_height = 0.9 + 0.85 * len(runs)  # all sizes in inches
-    columns = [_table_rows(run) for run in runs]
+    braking = any(run.brakes() for run in runs)
+    bars_height = 0.9 + (1.2 if braking else 0.85) * len(runs)  # all sizes in inches
+    columns = _table_rows(runs)
     header = [plot_style.wrapped(run.label, 15) for run in runs]
     header_rows = 0.4 + 0.6 * max(text.count('\n') + 1 for text in header)  # in heights of the others
     table_height = 0.31 * (len(columns[0]) + header_rows)
     figure, (bars, table) = plt.subplots(2, 1, figsize=(max(9.5, 4.2 + 1.8 * len(runs)), bars_height + table_height + 1.2),
                                          gridspec_kw={'height_ratios': (bars_height, table_height)})
-    _draw_bars(bars, runs)
+    _draw_bars(bars, runs, braking)
     _draw_table(table, columns, header, header_rows)
     figure.suptitle('Energy account of the whole train')
     return figure
 
 
-def final_MJ(run: Run) -> dict:
-    final = {name: values[-1] / 1e6 for name, values in run.account.items()}
-    final['rim_rest'] = final['traction_rim'] - final['traction_rail'] - final['slip_loss']
-    return final
-
-
-def _draw_bars(axes: Axes, runs: List[Run]) -> None:
+def _draw_bars(axes: Axes, runs: List[Run], braking: bool) -> None:
     for i, run in enumerate(runs):
         final = final_MJ(run)
-        for terms, y in ((SOURCES, i - 0.19), (SINKS, i + 0.19)):
-            _stack(axes, [(final[name], colour) for name, _, colour in terms], y)
+        stacks = (SOURCES, SINKS + (BRAKE_RAIL,), BRAKED)[:3 if braking else 2]
+        height = 0.76 / len(stacks)
+        for j, terms in enumerate(stacks):
+            _stack(axes, [(final[name], colour) for name, _, colour in terms], i - 0.38 + height * (j + 0.5), 0.95 * height)
     axes.set_yticks(range(len(runs)))
     axes.set_yticklabels([plot_style.wrapped(run.label, 24) for run in runs])
     axes.set_ylim(len(runs) - 0.5, -0.5)
     low, high = axes.dataLim.intervalx
     axes.set_xlim(min(1.05 * low, 0.0), max(1.05 * high, 1e-3))
     _clip_racing(axes, runs)
-    axes.set_title('upper bar: what the motors give, lower bar: where it goes from the rail', fontsize=11)
+    axes.set_title('upper bar: what the motors give, middle: where it goes from the rail,\n'
+                   "lower: what the locomotives' brakes turn theirs into" if braking else
+                   'upper bar: what the motors give, lower bar: where it goes from the rail', fontsize=11)
     axes.axvline(0.0, color='black', linewidth=0.8)
     axes.grid(axis='y', visible=False)
     axes.set_xlabel('energy since the start of the run [MJ]   (left of zero: given back)')
@@ -78,30 +87,51 @@ def _clip_racing(axes: Axes, runs: List[Run]) -> None:
                       bbox={'facecolor': 'white', 'edgecolor': 'none', 'alpha': 0.85, 'pad': 1.5})
 
 
-def _stack(axes: Axes, terms: List[Tuple[float, str]], y: float) -> None:
+def _stack(axes: Axes, terms: List[Tuple[float, str]], y: float, height: float) -> None:
     """Positive terms to the right of zero, negative ones to the left."""
     right = left = 0.0
     for value, colour in terms:
-        axes.barh(y, value, height=0.36, left=right if value >= 0.0 else left, color=colour)
+        axes.barh(y, value, height=height, left=right if value >= 0.0 else left, color=colour)
         right, left = right + max(value, 0.0), left + min(value, 0.0)
 
 
 Row = Tuple[str, str, str]  # of the table: words, colour or '', value
 
 
-def _table_rows(run: Run) -> List[Row]:
+def _table_rows(runs: List[Run]) -> List[List[Row]]:
+    """A list a run, all of the same terms: those of brakes and supplies only if any run has some."""
+    terms = [('traction_rim', 'traction at the rim', ''), *SOURCES, *SINKS[:-1]]
+    if any(run.brakes() for run in runs):
+        terms += [SINKS[-1], BRAKE_RAIL, *BRAKED]
+    supplies = [supply_MJ(run) for run in runs]
+    return [[*_energy_rows(run, terms), *(_supply_rows(supply) if any(supplies) else []), *_end_rows(run)]
+            for run, supply in zip(runs, supplies)]
+
+
+def _energy_rows(run: Run, terms: List[Tuple[str, str, str]]) -> List[Row]:
     final = final_MJ(run)
-    rows = [('traction at the rim [MJ]', '', f'{final["traction_rim"]:.3f}')]
-    rows += [(f'{words} [MJ]', colour, f'{final[name]:.3f}') for name, words, colour in SOURCES + SINKS]
-    rows += [
+    return [(f'{words} [MJ]', colour, f'{final[name]:.3f}') for name, words, colour in terms]
+
+
+def _supply_rows(supply: Optional[dict]) -> List[Row]:
+    """Of locomotives with a supply; a run without any has no numbers."""
+    terms = (('fuel', 'fuel burnt [MJ]'), ('litres', 'fuel burnt [l]'), ('drawn', 'drawn from the line [MJ]'),
+             ('returned', 'returned to the line [MJ]'), ('storage_out', 'out of the storage, at the link [MJ]'),
+             ('storage_in', 'into the storage, at the link [MJ]'), ('resistors', 'into resistors, at the link [MJ]'),
+             ('auxiliaries', 'auxiliaries, at the link [MJ]'))
+    return [(words, '', f'{supply[name]:.3f}' if supply else '-') for name, words in terms]
+
+
+def _end_rows(run: Run) -> List[Row]:
+    final = final_MJ(run)
+    return [
         ('residual [J]', '', f'{1e6 * final["residual"]:+.3g}'),
         ('residual / traction at the rail', '', f'{run.account["residual_relative"][-1]:+.1e}'),
         ('traction at the rail [kWh]', '', f'{final["traction_rail"] / 3.6:.3f}'),
         ('place at the end [km]', '', f'{run.location_km[-1]:.3f}'),
         ('time at the end [s]', '', f'{run.time_s[-1]:.2f}'),
-        ('speed at the end [km/h]', '', f'{run.speed_kmph[-1]:.3f}'),
+        ('speed at the end [km/h]', '', f'{run.end_kmph:.3f}'),
     ]
-    return rows
 
 
 def _draw_table(axes: Axes, columns: List[List[Row]], header: List[str], header_rows: float) -> None:

@@ -47,6 +47,7 @@ class Adhesion:
     normal_force_N: np.ndarray        # of both wheels
     torque_demanded_N_m: np.ndarray   # on the wheelset, before adhesion control
     torque_applied_N_m: np.ndarray    # after it
+    shoe_torque_N_m: np.ndarray       # of the brake shoes, < 0 rolling forward
     controller_active: np.ndarray     # the controller takes torque away
     frictional_power_W: np.ndarray    # lost to slip
     t_gamma_N: np.ndarray             # energy lost to slip per distance
@@ -60,6 +61,11 @@ class Adhesion:
     @property
     def speed_kmph(self) -> np.ndarray:
         return self.speed_mps * 3.6
+
+    @property
+    def brakes(self) -> bool:
+        """Whether these wheels brake: adhesion below -0.02 (chosen: more than rolling and curves need)."""
+        return bool(self.adhesion.min() < -0.02)
 
     @property
     def axles(self) -> int:

@@ -25,7 +25,7 @@ def draw_adhesion_creep(run: Run) -> Figure:
     """
     wheels = run.adhesion
     low, high = wheels.creep.min(), wheels.creep.max()
-    behind = creep_curves(run, speeds_of(run), min(1.08 * max(high, 1e-3), RACING))
+    behind = creep_curves(run, speeds_of(run), min(1.08 * max(high, -low if wheels.brakes else 0.0, 1e-3), RACING))
     columns = min(3, wheels.axles)
     rows = -(-wheels.axles // columns)
     figure, panels = plt.subplots(rows, columns, figsize=(3.2 + 3.0 * columns, 1.6 + 2.7 * rows), sharex=True, sharey=True,
@@ -34,7 +34,7 @@ def draw_adhesion_creep(run: Run) -> Figure:
         if axle >= wheels.axles:
             axes.set_visible(False)
             continue
-        draw_creep_curves(axes, behind)
+        draw_creep_curves(axes, behind, mirrored=wheels.brakes)
         points = _draw_axle(axes, wheels, axle)
         _mark_slip_limit(axes.axvline, run)
         axes.set_title(f'axle {axle + 1}', fontsize=11)
@@ -58,14 +58,19 @@ def _draw_axle(axes: Axes, wheels: Adhesion, axle: int):
     """Points as an image, also in the SVG: there are tens of thousands of them."""
     creep = 100.0 * wheels.creep[:, axle]
     style = {'c': wheels.speed_kmph, 'cmap': 'viridis', 'linewidths': 0.0, 'rasterized': True}
-    axes.scatter(creep, wheels.friction[:, axle], s=2.0, label='thin: friction offered at the slip', **style)
+    offered = wheels.friction[:, axle]
+    if wheels.brakes:
+        offered = np.where(creep < 0.0, -offered, offered)
+    axes.scatter(creep, offered, s=2.0, label='thin: friction offered at the slip', **style)
     return axes.scatter(creep, wheels.adhesion[:, axle], s=11.0, label='thick: adhesion used', **style)
 
 
-def draw_creep_curves(axes: Axes, curves: List[CreepCurve], colour: str = '0.25') -> None:
+def draw_creep_curves(axes: Axes, curves: List[CreepCurve], colour: str = '0.25', mirrored: bool = False) -> None:
+    """@param mirrored also to the left of zero, for braking"""
     for curve, dashes in zip(curves, CURVE_LINES):
-        axes.plot(100.0 * curve.creep, curve.adhesion, linestyle=dashes, color=colour, linewidth=1.3, zorder=3,
-                  label=curve.label)
+        for sign in (1.0, -1.0)[:2 if mirrored else 1]:
+            axes.plot(sign * 100.0 * curve.creep, sign * curve.adhesion, linestyle=dashes, color=colour, linewidth=1.3,
+                      zorder=3, label=curve.label if sign > 0.0 else None)
 
 
 def _races(wheels: Adhesion) -> bool:
@@ -76,8 +81,11 @@ def _mark_slip_limit(line, run: Run) -> None:
     limit = read_slip_limit(run.resolved)
     if limit is None:
         return
-    line(100.0 * limit, label=f'slip limit {100.0 * limit:g} %', **LIMIT_STYLE)
-    if run.adhesion.creep.min() < -0.5 * limit:  # braking comes near its own limit
+    braking = run.adhesion.creep.min() < -0.5 * limit  # it comes near its own limit
+    driving = run.adhesion.creep.max() > 0.5 * limit or not braking
+    sign = '+-'[not driving] if driving != braking else '\u00b1'
+    line((100.0 if driving else -100.0) * limit, label=f'slip limit {sign.strip("+")}{100.0 * limit:g} %', **LIMIT_STYLE)
+    if braking and driving:
         line(-100.0 * limit, **LIMIT_STYLE)
 
 
@@ -121,6 +129,9 @@ def _draw_active(axes: Axes, wheels: Adhesion) -> None:
 def _draw_torque(axes: Axes, wheels: Adhesion) -> None:
     """Applied to each axle; demanded in one line where all axles are asked for the same, otherwise one for each."""
     _draw_axles(axes, wheels, wheels.torque_applied_N_m / 1e3, labels=False)
+    if wheels.shoe_torque_N_m.any():
+        axes.plot(wheels.location_km, wheels.shoe_torque_N_m.mean(axis=1) / 1e3, color='0.45', linestyle='-.', linewidth=1.6,
+                  label='torque of shoes')
     axes.set_ylabel('torque on the wheelset [kN m]')
     demand = wheels.torque_demanded_N_m / 1e3
     if np.ptp(demand, axis=1).max() <= 1e-6 * np.abs(demand).max():
@@ -199,7 +210,10 @@ def _draw_friction_of(axes: Axes, run: Run, colour: str) -> None:
     axes.fill_between(wheels.location_km, wheels.adhesion.min(axis=1), wheels.adhesion.max(axis=1), color=colour,
                       **RANGE_STYLE)
     for name, _, style in FRICTION_LINES:
-        axes.plot(wheels.location_km, getattr(wheels, name).mean(axis=1), color=colour, **style)
+        mean = getattr(wheels, name).mean(axis=1)
+        axes.plot(wheels.location_km, mean, color=colour, **style)
+        if name != 'adhesion' and wheels.brakes:  # what braking may use
+            axes.plot(wheels.location_km, np.where(wheels.adhesion.mean(axis=1) < 0.0, -mean, np.nan), color=colour, **style)
 
 
 def _add_friction_keys(axes: Axes, runs: List[Run], colours: List[str]) -> None:

@@ -3,8 +3,6 @@ import dataclasses
 import os
 import re
 import struct
-import sys
-import time
 from typing import Dict, Iterator, List, Optional, Tuple
 
 import genpy
@@ -15,9 +13,11 @@ from train_msgs.msg import RunConfiguration, TrainEnergy, TrainState
 
 from train_viz.adhesion import AXLE_COLUMNS, Adhesion, Wheels
 from train_viz.pose_reader import read_wheelsets
+from train_viz.progress import Progress
+from train_viz.row_store import RowStore, slot_width
 from train_viz.run import ReportError, Run
 
-FORMAT_VERSION = 2  # of the bag, as in RunConfiguration; with another one fields may mean something else
+FORMAT_VERSION = 3  # of the bag, as in RunConfiguration; with another one fields may mean something else
 
 TOPICS = {
     '/train/configuration': RunConfiguration,
@@ -25,12 +25,12 @@ TOPICS = {
     '/train/energy': TrainEnergy,
 }
 ACCOUNT_FIELDS = [name for name, kind in zip(TrainEnergy.__slots__, TrainEnergy._slot_types) if kind == 'float64']
+LOCO_FIELDS = [name for name in TrainEnergy.__slots__ if name.startswith('loco_')]
 ADHESION_TOPIC = re.compile(r'/loco_([1-9][0-9]*)/adhesion')  # locomotives are counted from 1 at the head
 # Of AxleAdhesion, in the order of AXLE_COLUMNS
 AXLE_FIELDS = ('creep', 'adhesion', 'friction', 'static_friction', 'normal_force', 'torque_demanded', 'torque_applied',
-               'controller_active', 'frictional_power', 't_gamma')
+               'shoe_torque', 'controller_active', 'frictional_power', 't_gamma')
 FIRST_STAMP_NS = 10**9  # of a run's start
-PROGRESS_PERIOD_S = 2.0  # of wall time, chosen: short reads stay silent
 
 # What rosbag raises on files that are damaged in one way or another.
 UNREADABLE = (rosbag.ROSBagException, genpy.MessageException, struct.error, OSError, ValueError, KeyError, IndexError,
@@ -52,7 +52,7 @@ def read_bag(path: str, locomotive: Optional[int] = None) -> Run:
         with rosbag.Bag(path) as bag:
             with_wheels = _check_topics(path, bag, locomotive)
             configuration = _read_configuration(path, bag)
-            states, energies, wheels = _read_rows(path, bag, with_wheels)
+            states, energies, wheels, count = _read_rows(path, bag, with_wheels)
             adhesion = _make_adhesion(path, with_wheels, wheels)
             if adhesion is not None and adhesion.wheels is not None:
                 adhesion = dataclasses.replace(adhesion, wheelsets=read_wheelsets(bag, adhesion, configuration.resolved))
@@ -61,7 +61,7 @@ def read_bag(path: str, locomotive: Optional[int] = None) -> Run:
                           f"'rosbag reindex'") from None
     except UNREADABLE as error:
         raise ReportError(f'{path}: not a readable bag ({_one_line(error)}): record or simulate it again') from None
-    run = _make_run(path, configuration, states, energies)
+    run = _make_run(path, configuration, states, energies, count)
     count = run.traction_N.shape[1]
     if locomotive is not None and not 1 <= locomotive <= count:
         raise ReportError(f'{path}: no locomotive {locomotive}: the train has {count}, 1 is the leading one')
@@ -108,24 +108,38 @@ def _read_configuration(path: str, bag: rosbag.Bag) -> RunConfiguration:
 Rows = Dict[int, Tuple]  # by the stamp in nanoseconds
 
 
-def _read_rows(path: str, bag: rosbag.Bag, locomotive: Optional[int]) -> Tuple[Rows, Rows, Rows]:
-    """What we need of every TrainState and TrainEnergy message, and of one locomotive's Adhesion."""
-    states: Rows = {}
-    energies: Rows = {}
-    wheels: Rows = {}
+def _read_rows(path: str, bag: rosbag.Bag, locomotive: Optional[int]) -> Tuple[Rows, Rows, Rows, int]:
+    """What we need of TrainState and TrainEnergy messages, and of one locomotive's Adhesion; of a long run not every one.
+
+    Of thinned rows the coupler forces are those farthest from zero, and the wheels are those at the largest creep.
+    @return with the number of TrainState messages
+    """
     topics = ['/train/state', '/train/energy'] + ([] if locomotive is None else [_adhesion_topic(locomotive)])
+    count = bag.get_message_count('/train/state')
+    width_ns = slot_width(count, round(1e9 * (bag.get_end_time() - bag.get_start_time())))
+    states, energies, wheels = (RowStore(FIRST_STAMP_NS, width_ns) for _ in range(3))
     for topic, m in _with_progress(path, bag, topics):
         stamp = m.header.stamp.to_nsec()
         if topic == '/train/state':
-            states[stamp] = (m.time, m.location, m.speed, np.array(m.notch), np.array(m.traction),
-                             np.array(m.coupler_force))
+            row = _state_row(m)
+            old = states.add(stamp, row)
+            if old is not None and old[COUPLERS].shape == row[COUPLERS].shape:
+                np.copyto(row[COUPLERS], old[COUPLERS], where=np.abs(old[COUPLERS]) > np.abs(row[COUPLERS]))
         elif topic == '/train/energy':
-            energies[stamp] = (np.array(m.loco_energy_rail), np.array(m.loco_energy_rim), np.array(m.loco_energy_slip),
-                               np.array([getattr(m, name) for name in ACCOUNT_FIELDS]))
+            energies.add(stamp, (np.array([getattr(m, name) for name in LOCO_FIELDS]),
+                                 np.array([getattr(m, name) for name in ACCOUNT_FIELDS])))
         elif m.axles:
-            wheels[stamp] = (m.location, m.speed, [[getattr(axle, name) for name in AXLE_FIELDS] for axle in m.axles],
-                             _wheel_values(m))
-    return states, energies, wheels
+            wheels.add(stamp, (m.location, m.speed, [[getattr(axle, name) for name in AXLE_FIELDS] for axle in m.axles],
+                               _wheel_values(m)), max(abs(axle.creep) for axle in m.axles) if width_ns > 1 else None)
+    return states.rows(), energies.rows(), wheels.rows(), count
+
+
+COUPLERS = 6  # of _state_row
+
+
+def _state_row(m: TrainState) -> Tuple:
+    return (m.time, m.location, m.speed, np.array(m.notch), np.array(m.brake_notch), np.array(m.traction),
+            np.array(m.coupler_force), m.speed_limit, np.array(m.pipe_pressure), np.array(m.cylinder_pressure))
 
 
 def _wheel_values(m: AdhesionMessage) -> List[List[List[float]]]:
@@ -140,16 +154,14 @@ def _wheel_values(m: AdhesionMessage) -> List[List[List[float]]]:
 
 
 def _with_progress(path: str, bag: rosbag.Bag, topics: List[str]) -> Iterator[Tuple[str, genpy.Message]]:
-    total = bag.get_message_count(topics)
-    due = time.monotonic() + PROGRESS_PERIOD_S
+    progress = Progress(f'report: reading {path}', bag.get_message_count(topics))
     for i, (topic, message, _) in enumerate(bag.read_messages(topics)):
         yield topic, message
-        if time.monotonic() >= due:
-            print(f'report: {path}: {100 * i // total} % of {total} messages read', file=sys.stderr, flush=True)
-            due += PROGRESS_PERIOD_S
+        progress.tell(i)
+    progress.close()
 
 
-def _make_run(path: str, configuration: RunConfiguration, states: Rows, energies: Rows) -> Run:
+def _make_run(path: str, configuration: RunConfiguration, states: Rows, energies: Rows, count: int) -> Run:
     stamps = sorted(states.keys() & energies.keys())  # a cut bag may end between the two
     if len(stamps) < 2:
         raise ReportError(f'{path}: {len(stamps)} instant(s) with both /train/state and /train/energy, two are needed: '
@@ -159,13 +171,16 @@ def _make_run(path: str, configuration: RunConfiguration, states: Rows, energies
         e = [np.array(column) for column in zip(*(energies[stamp] for stamp in stamps))]
     except ValueError:  # ragged
         raise ReportError(f'{path}: the number of vehicles changes within the bag: simulate again') from None
-    if s[3].shape[1:] == (0,) or not s[3].shape == s[4].shape == e[0].shape == e[1].shape == e[2].shape:
+    if s[3].shape[1:] == (0,) or not s[3].shape == s[4].shape == s[5].shape == e[0][:, 0].shape:
         raise ReportError(f'{path}: no locomotive, or lists of locomotives that differ in length: simulate again')
+    if s[8].shape != s[9].shape or s[8].shape[1] not in (0, s[6].shape[1] + 1):
+        raise ReportError(f'{path}: brake pressures of another number of vehicles than the train has: simulate again')
     return Run(label=configuration.scenario, files=(path,), run_id=configuration.run_id,
                build_id=configuration.build_id, scenario=configuration.scenario, resolved=configuration.resolved,
-               time_s=s[0], location_m=s[1], speed_mps=s[2], notch=s[3], traction_N=s[4], coupler_force_N=s[5],
-               loco_energy_rail_J=e[0], loco_energy_rim_J=e[1], loco_energy_slip_J=e[2],
-               account={name: e[3][:, i] for i, name in enumerate(ACCOUNT_FIELDS)})
+               time_s=s[0], location_m=s[1], speed_mps=s[2], notch=s[3], brake_notch=s[4], traction_N=s[5],
+               coupler_force_N=s[6], speed_limit_mps=s[7], pipe_pressure_Pa=s[8], cylinder_pressure_Pa=s[9],
+               locos={name[len('loco_'):]: e[0][:, i] for i, name in enumerate(LOCO_FIELDS)},
+               account={name: e[1][:, i] for i, name in enumerate(ACCOUNT_FIELDS)}, recorded=count)
 
 
 def _make_adhesion(path: str, locomotive: Optional[int], wheels: Rows) -> Optional[Adhesion]:

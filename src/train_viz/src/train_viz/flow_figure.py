@@ -1,52 +1,54 @@
 """The energy account of the whole train as a flow picture, from the motors to where the energy ends; widths are energies."""
 from typing import List, Tuple
 
-import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import PathPatch, Rectangle
-from matplotlib.path import Path
 
-from train_viz.account_figure import SINKS, SOURCES, final_MJ
+from train_viz import sankey
+from train_viz.account_figure import BRAKED, BRAKE_RAIL, SINKS, SOURCES
+from train_viz.energy_stages import final_MJ
 from train_viz.run import Run
-
-Flow = Tuple[str, str, float]  # words, colour, energy [MJ] > 0
+from train_viz.sankey import Flow, Outlet
 
 BEFORE_RAIL = SOURCES[1:]  # what leaves between rim and rail
 RIM_COLOUR = SOURCES[0][2]
-X_SOURCES, X_RAIL, X_SINKS, NODE_WIDTH = 0.0, 0.42, 1.0, 0.025
-SLOT = 0.07         # of the whole height: the least room for a line of text, chosen
-DRAWN_FROM = 1e-6   # of the largest flow, chosen: less is a zero of the account (a level line's potential)
+SPIN = f'given back: {BRAKED[-1][1]}'  # goes to the brakes without passing the rail
+X_SOURCES, X_RAIL, X_BRAKES, X_SINKS = 0.0, 0.42, 0.74, 1.0
 
 
 def draw_energy_flow(run: Run) -> Figure:
     """What a term gives back (a negative one) comes in from the left, beside the motors."""
-    sources, losses, sinks = flows_of(run)
-    figure, axes = plt.subplots(figsize=(11.0, 6.4))
+    sources, losses, sinks, braked = flows_of(run)
+    figure, axes = plt.subplots(figsize=(11.0, 6.4 + 0.4 * max(len(losses + sinks + braked) - 8, 0)))
     total = max(sum(flow[2] for flow in flows) for flows in (sources, losses + sinks)) or 1.0
-    rail_MJ = final_MJ(run)['traction_rail']
-    rail_in = sum(flow[2] for flow in sources) - sum(flow[2] for flow in losses)
+    spin = sum(flow[2] for flow in sources if flow[0] == SPIN)
+    rail_in = sum(flow[2] for flow in sources) - sum(flow[2] for flow in losses) - spin
     rail_low = (total - rail_in) / 2.0
-    _node(axes, X_RAIL, rail_low, rail_in, RIM_COLOUR)
-    axes.text(X_RAIL - 0.02, rail_low + rail_in / 2.0, f'at the rail\n{_number(rail_MJ)} MJ', ha='right', va='center',
-              fontsize=12, zorder=4)
-    _draw_sources(axes, sources, losses, rail_low, total)
-    _draw_sinks(axes, sinks, losses, (rail_low, rail_in), total)
+    sankey.node(axes, X_RAIL, rail_low, rail_in, RIM_COLOUR)
+    axes.text(X_RAIL - 0.02, rail_low + rail_in / 2.0, f'{"traction, " * run.brakes()}at the rail\n'
+              f'{sankey.number(final_MJ(run)["traction_rail"])} MJ', ha='right', va='center', fontsize=12, zorder=4)
+    brakes_low = _draw_sinks(axes, (losses, sinks, braked), (rail_low + rail_in, spin), total)
+    _draw_sources(axes, sources, losses, (rail_low + rail_in, brakes_low), total)
     axes.set_xlim(-0.38, 1.5)
     axes.axis('off')
     axes.set_title(f'Energy flow of the whole train, {run.label}', pad=14)
-    axes.text(0.5, -0.02, f'at the end: {run.location_km[-1]:.3f} km, {run.time_s[-1]:.1f} s, {run.speed_kmph[-1]:.2f} '
+    axes.text(0.5, -0.02, f'at the end: {run.location_km[-1]:.3f} km, {run.time_s[-1]:.1f} s, {run.end_kmph:.2f} '
               f'km/h;   residual {1e6 * final_MJ(run)["residual"]:+.3g} J', transform=axes.transAxes, ha='center', va='top')
     return figure
 
 
-def flows_of(run: Run) -> Tuple[List[Flow], List[Flow], List[Flow]]:
-    """Sources, what leaves between rim and rail, and where the rest ends; all positive, balanced but for the residual."""
+def flows_of(run: Run) -> Tuple[List[Flow], List[Flow], List[Flow], List[Flow]]:
+    """Sources, what leaves between rim and rail, where the rest ends, and what the locomotives' brakes turn theirs into.
+
+    All positive; sources = losses + sinks but for the residual, and the last of the sinks, if there is a fourth list, is its
+    sum. Wheels that slow down in braking give back their spin: it goes to the brakes as a source does.
+    """
     final = final_MJ(run)
-    sources, losses, sinks = [], [], []
+    sources, losses, sinks, braked = [], [], [], []
     for (name, words, colour), end in [(('traction_rim', 'motors, at the rim', RIM_COLOUR), sources)] + [
-            (term, losses) for term in BEFORE_RAIL] + [(term, sinks) for term in SINKS]:
+            (term, losses) for term in BEFORE_RAIL] + [(term, sinks) for term in SINKS] + [
+            (BRAKE_RAIL, sinks)] + [(term, braked) for term in BRAKED]:
         value = final[name]
         if value > 0.0:
             end.append((words, colour, value))
@@ -54,62 +56,64 @@ def flows_of(run: Run) -> Tuple[List[Flow], List[Flow], List[Flow]]:
             sinks.append(('motors, braking at the rim', colour, -value))
         elif value < 0.0:
             sources.append((f'given back: {words}', colour, -value))
-    least = DRAWN_FROM * max([flow[2] for flow in sources + losses + sinks], default=0.0)
-    return tuple([flow for flow in flows if flow[2] > least] for flows in (sources, losses, sinks))
+    return _closed(*sankey.drawn(sources, losses, sinks, braked))
 
 
-def _draw_sources(axes: Axes, sources: List[Flow], losses: List[Flow], rail_low: float, total: float) -> None:
-    """Top down; what the losses take leaves from the top of the first source."""
+def _closed(sources: List[Flow], losses: List[Flow], sinks: List[Flow], braked: List[Flow]) -> Tuple:
+    """The brakes' band is as wide as what they turn it into, with what the wheels' spin adds to it."""
+    if not braked:
+        return sources, losses, sinks, braked
+    _, words, colour = BRAKE_RAIL
+    rest = [flow for flow in sinks if flow[0] != words]
+    return sources, losses, rest + [(words, colour, sum(flow[2] for flow in braked))], braked
+
+
+def _draw_sources(axes: Axes, sources: List[Flow], losses: List[Flow], ends: Tuple[float, float], total: float) -> None:
+    """Top down; what the losses take leaves from the top of the first source.
+
+    @param ends upper edge of the rail, lower edge of the brakes
+    """
     lost = sum(flow[2] for flow in losses)
-    top, rail_top = total, rail_low + sum(flow[2] for flow in sources) - lost
+    top, (rail_top, brakes_low) = total, ends
     for i, (words, colour, energy) in enumerate(sources):
-        _node(axes, X_SOURCES, top - energy, energy, colour)
+        sankey.node(axes, X_SOURCES, top - energy, energy, colour)
+        sankey.label(axes, X_SOURCES - 0.03, top - energy / 2.0, words, energy, 'right')
         to_rail = energy - (lost if i == 0 else 0.0)
-        _band(axes, (X_SOURCES, top - energy), (X_RAIL, rail_top - to_rail), to_rail, colour)
-        _label(axes, X_SOURCES - 0.03, top - energy / 2.0, words, energy, 'right')
-        top -= max(energy, SLOT * total) + 0.02 * total
-        rail_top -= to_rail
-
-
-def _draw_sinks(axes: Axes, sinks: List[Flow], losses: List[Flow], rail: Tuple[float, float], total: float) -> None:
-    """Losses on top, straight from the first source; then what the rail gives, top down."""
-    rail_low, rail_in = rail
-    out_top, rail_top = total, rail_low + rail_in
-    extra = sum(max(SLOT * total - flow[2], 0.0) + 0.02 * total for flow in losses + sinks)
-    top = total + extra / 2.0
-    for i, (words, colour, energy) in enumerate(losses + sinks):
-        slot = max(energy, SLOT * total)
-        low = top - slot / 2.0 - energy / 2.0
-        if i < len(losses):
-            _band(axes, (X_SOURCES, out_top - energy), (X_SINKS, low), energy, colour)
-            out_top -= energy
+        if words == SPIN:
+            sankey.band(axes, (X_SOURCES, top - energy), (X_BRAKES, brakes_low), energy, colour)
         else:
-            _band(axes, (X_RAIL, rail_top - energy), (X_SINKS, low), energy, colour)
-            rail_top -= energy
-        _node(axes, X_SINKS, low, energy, colour)
-        _label(axes, X_SINKS + NODE_WIDTH + 0.02, low + energy / 2.0, words, energy, 'left')
-        top -= slot + 0.02 * total
-    axes.set_ylim(min(top, 0.0), total + extra / 2.0 + 0.02 * total)
+            sankey.band(axes, (X_SOURCES, top - energy), (X_RAIL, rail_top - to_rail), to_rail, colour)
+            rail_top -= to_rail
+        top -= max(energy, sankey.SLOT * total) + sankey.GAP * total
 
 
-def _label(axes: Axes, x: float, y: float, words: str, energy: float, side: str) -> None:
-    axes.text(x, y, f'{words}{": " if side == "left" else chr(10)}{_number(energy)} MJ', ha=side, va='center', fontsize=12)
+def _draw_sinks(axes: Axes, flows: Tuple[List[Flow], List[Flow], List[Flow]], at_rail: Tuple[float, float],
+                total: float) -> float:
+    """Losses on top, straight from the first source; then what the rail gives, top down; last the locomotives' brakes, which
+    have a node of their own.
+
+    @param at_rail upper edge of the rail, what reaches the brakes beside it
+    @return lower edge of the brakes
+    """
+    losses, sinks, braked = flows
+    ends = losses + (sinks[:-1] if braked else sinks) + braked
+    lows, bottom, top = sankey.place_sinks(ends, total)
+    motors, rail, brakes, brakes_low = Outlet(X_SOURCES, total), Outlet(X_RAIL, at_rail[0]), None, 0.0
+    for i, (flow, low) in enumerate(zip(ends, lows)):
+        if i == len(ends) - len(braked):
+            brakes, brakes_low = _draw_brakes(axes, sinks[-1], rail, low + flow[2], at_rail[1])
+        outlet = motors if i < len(losses) else brakes or rail
+        sankey.draw_sink(axes, flow, outlet.take(flow[2]), (X_SINKS, low))
+    axes.set_ylim(min(bottom, 0.0), top + sankey.GAP * total)
+    return brakes_low
 
 
-def _number(energy: float) -> str:
-    return f'{energy:.1f}' if abs(energy) >= 10.0 else f'{energy:.3g}'
-
-
-def _node(axes: Axes, x: float, low: float, height: float, colour: str) -> None:
-    axes.add_patch(Rectangle((x, low), NODE_WIDTH, height, facecolor=colour, edgecolor='none', zorder=3))
-
-
-def _band(axes: Axes, start: Tuple[float, float], end: Tuple[float, float], width: float, colour: str) -> None:
-    """A band of constant height; `start` and `end` are the nodes' left edge and the band's lower edge there."""
-    x0, x1, (y0, y1) = start[0] + NODE_WIDTH, end[0], (start[1], end[1])
-    middle = (x0 + x1) / 2.0
-    lower = [(x0, y0), (middle, y0), (middle, y1), (x1, y1)]
-    upper = [(x, y + width) for x, y in reversed(lower)]
-    codes = [Path.MOVETO] + 3 * [Path.CURVE4] + [Path.LINETO] + 3 * [Path.CURVE4] + [Path.CLOSEPOLY]
-    path = Path(np.array(lower + upper + [lower[0]]), codes)
-    axes.add_patch(PathPatch(path, facecolor=colour, alpha=0.45, edgecolor=colour, linewidth=0.6, zorder=2))
+def _draw_brakes(axes: Axes, flow: Flow, rail: Outlet, top: float, spin: float) -> Tuple[Outlet, float]:
+    """The node of the locomotives' brakes, as high as the first of its sinks; its number is what they take at the rail."""
+    _, colour, energy = flow
+    low, taken = top - energy, energy - spin
+    sankey.band(axes, rail.take(taken), (X_BRAKES, top - taken), taken, colour)
+    sankey.node(axes, X_BRAKES, low, energy, colour)
+    axes.text(X_BRAKES - 0.02, top - taken / 2.0, "locomotives'\nbrakes,\n" + f'at the rail\n{sankey.number(taken)} MJ', ha='right',
+              va='center', fontsize=12, zorder=4)
+    return Outlet(X_BRAKES, top), low

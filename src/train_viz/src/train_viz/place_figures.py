@@ -85,7 +85,7 @@ def _draw_energy_of(run: Run, panels: np.ndarray, style: Dict[str, Any], marks_m
                  if abs(place - run.location_m[-1]) > SAME_PLACE_M]
         marks.append((run.location_m[-1], energy_MJ[-1]))
         values = ', '.join(f'{energy:.1f} MJ at {place / 1e3:.3f} km' for place, energy in marks)
-        label = f'{run.label} {where}: {values} ({run.time_s[-1]:.1f} s, {run.speed_kmph[-1]:.2f} km/h)'
+        label = f'{run.label} {where}: {values} ({run.time_s[-1]:.1f} s, {run.end_kmph:.2f} km/h)'
         panels[0].plot(run.location_km, energy_MJ, dashes, label=label, **style)
         panels[0].plot([place / 1e3 for place, _ in marks], [energy for _, energy in marks], 'o',
                        color=style['color'], markersize=4.5, clip_on=run.races())
@@ -101,15 +101,20 @@ def draw_speed_notch(runs: List[Run]) -> Figure:
     plot_style.shade_curves(notch, runs, labels=False)
     for i, run in enumerate(runs):
         speed.plot(run.location_km, run.speed_kmph, label=run.label, **plot_style.line_style(i))
-        notch.step(run.location_km, run.notch[:, run.locomotive - 1], where='post', **plot_style.line_style(i))
+        notch.step(run.location_km, shown_notch(run), where='post', **plot_style.line_style(i))
     plot_style.start_at_zero(speed)
     speed.set_title('Speed and notch of the leading locomotive' if runs[0].locomotive == 1 else
                     f'Speed of the train and notch of {runs[0].whose}', pad=22)
     speed.set_ylabel('speed [km/h]')
-    notch.set_ylabel('notch')
-    notches = np.concatenate([run.notch[:, run.locomotive - 1] for run in runs])
+    notches = np.concatenate([shown_notch(run) for run in runs])
+    notch.set_ylabel('notch' if notches.min() >= 0.0 else 'notch; dynamic brake < 0')
     notch.set_ylim(min(notches.min(), 0.0) - 0.3, max(notches.max(), 8.0) + 0.4)
     notch.yaxis.set_major_locator(plt.MaxNLocator(integer=True))
     plot_style.set_place_axis(notch, runs)
     plot_style.legend_below(figure, speed)
     return figure
+
+
+def shown_notch(run: Run) -> np.ndarray:
+    """Of the locomotive shown: traction above zero, the dynamic brake below."""
+    return (run.notch - run.brake_notch)[:, run.locomotive - 1]

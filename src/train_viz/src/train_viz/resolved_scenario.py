@@ -4,6 +4,7 @@ The program that ran the scenario has checked it strictly; here whatever is not 
 """
 import csv
 import dataclasses
+import functools
 from typing import Any, Iterator, List, Optional, Tuple
 
 import yaml
@@ -105,6 +106,7 @@ def _vehicles(groups: List[dict]) -> Iterator[Tuple[int, Any]]:
             yield int(_lookup(group, 'count') or 1), _lookup(group, 'vehicle')
 
 
+@functools.lru_cache(maxsize=8)  # long tables of tracks take seconds
 def _load(text: str) -> Any:
     try:
         return yaml.safe_load(text)

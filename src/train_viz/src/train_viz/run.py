@@ -40,15 +40,32 @@ class Run:
     time_s: np.ndarray                # since the start of the run
     location_m: np.ndarray            # chainage of the leading locomotive
     speed_mps: np.ndarray             # of the leading locomotive
+    speed_limit_mps: np.ndarray       # lowest under the train
     notch: np.ndarray                 # [row, locomotive]
-    traction_N: np.ndarray            # [row, locomotive], at the rail
+    brake_notch: np.ndarray           # [row, locomotive], of the dynamic brake
+    traction_N: np.ndarray            # [row, locomotive], at the rail, < 0 braking
     coupler_force_N: np.ndarray       # [row, coupler]
-    loco_energy_rail_J: np.ndarray    # [row, locomotive], Eq. (4)
-    loco_energy_rim_J: np.ndarray     # [row, locomotive]
-    loco_energy_slip_J: np.ndarray    # [row, locomotive], lost to slip between rim and rail
+    pipe_pressure_Pa: np.ndarray      # [row, vehicle], over the atmosphere; no vehicles in a train without an air brake
+    cylinder_pressure_Pa: np.ndarray  # likewise
+    locos: Dict[str, np.ndarray]      # TrainEnergy's lists by field name without loco_, [row, locomotive]
     account: Dict[str, np.ndarray]    # whole train: TrainEnergy's numbers by field name, [row]
     adhesion: Optional[Adhesion] = None  # of the first locomotive that has wheels on the rail; no locomotive of model 1d has
+    recorded: int = 0                 # instants in the bag; of a long run the rows are fewer
     locomotive: int = 1               # that the figures show, from 1 at the head; place and speed are the leading one's
+
+    @property
+    def loco_energy_rail_J(self) -> np.ndarray:
+        """[row, locomotive], Eq. (4), as the next two."""
+        return self.locos['energy_rail']
+
+    @property
+    def loco_energy_rim_J(self) -> np.ndarray:
+        return self.locos['energy_rim']
+
+    @property
+    def loco_energy_slip_J(self) -> np.ndarray:
+        """Lost to slip between rim and rail."""
+        return self.locos['energy_slip']
 
     @property
     def rail_J(self) -> np.ndarray:
@@ -79,9 +96,26 @@ class Run:
     def speed_kmph(self) -> np.ndarray:
         return self.speed_mps * 3.6
 
+    @property
+    def end_kmph(self) -> float:
+        """Speed at the end to 0.001 km/h, so that a train at rest has 0, not -0."""
+        return round(float(self.speed_kmph[-1]), 3) + 0.0
+
     def at_location(self, values: np.ndarray, location_m: float) -> float:
         """`values` where the leading locomotive first passes a place, linear between the rows around it."""
         return float(np.interp(location_m, np.maximum.accumulate(self.location_m), values))
+
+    def brakes(self) -> bool:
+        """Whether any brake took energy: more than 1e-6 (chosen) of what went through the rail."""
+        taken = self.account['brake_rail'][-1] + self.account['air_brake'][-1]
+        return bool(taken > 1e-6 * max(abs(self.account['traction_rail'][-1]), 1.0))
+
+    def has_air_brake(self) -> bool:
+        return self.pipe_pressure_Pa.shape[1] > 0
+
+    def has_supply(self) -> bool:
+        """Whether any locomotive books what feeds its motors."""
+        return bool(any(np.any(self.locos[name]) for name in ('fuel', 'line', 'auxiliaries', 'stored')))
 
     def rim_differs(self) -> bool:
         """Whether the rim pays visibly more than the rail gets (in 1D both are the same)."""
@@ -118,7 +152,7 @@ def join_parts(parts: List[Run], names: Optional[List[str]] = None) -> List[Run]
 def _join(parts: List[Run]) -> Run:
     if len(parts) == 1:
         return parts[0]
-    widths = {(p.traction_N.shape[1], p.coupler_force_N.shape[1]) for p in parts}
+    widths = {(p.traction_N.shape[1], p.coupler_force_N.shape[1], p.pipe_pressure_Pa.shape[1]) for p in parts}
     if len(widths) > 1:
         raise ReportError(f'{", ".join(p.files[0] for p in parts)}: parts of one run with trains of different length: '
                           'give each its own report')
@@ -130,10 +164,11 @@ def _join(parts: List[Run]) -> Run:
 
     arrays = {f.name: merged(lambda p, name=f.name: getattr(p, name))
               for f in dataclasses.fields(Run) if f.type is np.ndarray}
-    account = {name: merged(lambda p, name=name: p.account[name]) for name in parts[0].account}
+    tables = {table: {name: merged(lambda p, table=table, name=name: getattr(p, table)[name])
+                      for name in getattr(parts[0], table)} for table in ('account', 'locos')}
     wheels = [p.adhesion for p in parts if p.adhesion is not None]
-    return dataclasses.replace(parts[0], files=sum((p.files for p in parts), ()), account=account,
-                               adhesion=join_adhesion(wheels) if wheels else None, **arrays)
+    return dataclasses.replace(parts[0], files=sum((p.files for p in parts), ()), recorded=sum(p.recorded for p in parts),
+                               adhesion=join_adhesion(wheels) if wheels else None, **arrays, **tables)
 
 
 def _label(runs: List[Run]) -> List[Run]:

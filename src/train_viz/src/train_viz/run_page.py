@@ -8,10 +8,14 @@ from train_viz.run import Run
 
 TITLES = {  # by the beginning of a figure's name, in the order of the page
     'energy_flow': 'where the energy of the whole train goes, from the motors to the sinks',
-    'energy_account': 'the same in bars and numbers',
+    'energy_supply': 'from fuel, storage or line to the rim, of locomotives with a supply',
+    'energy_account': 'the account of the whole train in bars and numbers',
     'traction_force': 'traction at the rail over place',
     'energy': 'energy over place and over speed',
     'speed_notch': 'speed and notch over place',
+    'trip': 'speed and limit, notches and pressures, height and curvature of the line',
+    'brake_pressures': 'brake pipe and cylinders over time and vehicle',
+    'brake_energy': 'what brakes take and where it goes, stores of the supply',
     'coupler_forces': 'in-train forces over time and coupler',
     'friction_adhesion': 'friction that the rail offers, adhesion used',
     'adhesion_creep': 'adhesion over creep, axle by axle',
@@ -22,8 +26,9 @@ TITLES = {  # by the beginning of a figure's name, in the order of the page
     'wheel_contacts': 'slip loss and number of contacts, wheel by wheel',
 }
 SECTIONS = (
-    ('Energy', ('energy_flow', 'energy_account', 'energy')),
-    ('Motion and forces', ('traction_force', 'speed_notch', 'coupler_forces')),
+    ('Energy', ('energy_flow', 'energy_supply', 'energy_account', 'energy')),
+    ('Motion and forces', ('trip', 'traction_force', 'speed_notch', 'coupler_forces')),
+    ('Brakes', ('brake_pressures', 'brake_energy')),
     ('Wheel and rail', ('friction_adhesion', 'adhesion_creep', 'adhesion_control', 'axle_loads',
                         'wheelset_displacement', 'guiding_forces', 'wheel_contacts')),
 )
@@ -56,11 +61,24 @@ def kind_of(name: str) -> str:
 
 
 def _ends(runs: List[Run]) -> str:
-    rows = [[run.label, f'{run.location_km[-1]:.3f}', f'{run.time_s[-1]:.2f}', f'{run.speed_kmph[-1]:.2f}',
-             *(f'{energy_J[-1] / 1e6:.2f}' for energy_J in (run.rail_J, run.slip_J, run.rim_J)),
-             f'{run.account["residual_relative"][-1]:+.1e}'] for run in runs]
-    return page.table(['run', 'place [km]', 'time [s]', 'speed [km/h]', 'at the rail, Eq. (4) [MJ]', 'slip loss [MJ]',
-                       'at the rim [MJ]', "account's residual / traction"], rows)
+    columns = [('place [km]', lambda run: f'{run.location_km[-1]:.3f}'), ('time [s]', lambda run: f'{run.time_s[-1]:.2f}'),
+               ('speed [km/h]', lambda run: f'{run.end_kmph:.2f}'),
+               ('at the rail, Eq. (4) [MJ]', lambda run: f'{run.rail_J[-1] / 1e6:.2f}'),
+               ('slip loss [MJ]', lambda run: f'{run.slip_J[-1] / 1e6:.2f}'),
+               ('at the rim [MJ]', lambda run: f'{run.rim_J[-1] / 1e6:.2f}')]
+    if any(run.brakes() for run in runs):
+        columns += [('its brakes, at the rail [MJ]', lambda run: _shown_MJ(run, 'brake_rail')),
+                    ('recovered, at the rim [MJ]', lambda run: _shown_MJ(run, 'recovered_rim')),
+                    ('air brake of all wagons [MJ]', lambda run: f'{run.account["air_brake"][-1] / 1e6:.2f}')]
+    if any(run.has_supply() for run in runs):
+        columns.append(('its fuel [l]', lambda run: f'{run.locos["litres"][-1, run.locomotive - 1]:.2f}'))
+    columns.append(("account's residual / traction", lambda run: f'{run.account["residual_relative"][-1]:+.1e}'))
+    return page.table(['run', *(words for words, _ in columns)], [[run.label, *(value(run) for _, value in columns)]
+                                                                  for run in runs])
+
+
+def _shown_MJ(run: Run, name: str) -> str:
+    return f'{run.locos[name][-1, run.locomotive - 1] / 1e6:.2f}'
 
 
 def _configuration(runs: List[Run]) -> List[str]:
@@ -68,7 +86,8 @@ def _configuration(runs: List[Run]) -> List[str]:
             ['description', *(str(read_value(run.resolved, 'description') or '-') for run in runs)],
             ['build', *(run.build_id or '-' for run in runs)],
             ['run id', *(str(run.run_id) for run in runs)],
-            ['bags', *(', '.join(run.files) for run in runs)]]
+            ['bags', *(', '.join(run.files) for run in runs)],
+            ['instants drawn of those recorded', *(f'{len(run.time_s)} of {run.recorded}' for run in runs)]]
     pieces = [page.table(['', *(run.label for run in runs)], rows, range(len(runs) + 1)),
               page.paragraph('The scenario with all files that it names, as one text that runs again on its own:')]
     return pieces + [page.folded(run.label, run.resolved) for run in runs]

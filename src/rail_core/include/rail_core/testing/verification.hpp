@@ -9,7 +9,7 @@ namespace rail {
 
 /// A figure that must come out, as docs/validation.md shows it.
 struct Verification {
-  std::string number;  ///< of the case, 1 to 12
+  std::string number;  ///< of the case, 1 to 13
   std::string what;
   std::string source;  ///< of the expected figure
   std::string unit;

@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+"""Braking and supplies: the terms that a bag has are parted, drawn and closed; runs without them have no such figures."""
+import dataclasses
+import os
+import tempfile
+import unittest
+
+import numpy as np
+import rosunit
+from matplotlib import pyplot as plt
+
+from synthetic_bag import write_bag
+from train_viz.account_figure import draw_energy_account
+from train_viz.bag_reader import read_bag
+from train_viz.brake_figures import draw_brake_energy, draw_brake_pressures, first_application_s
+from train_viz.energy_stages import between_rim_and_rail, supply_MJ
+from train_viz.flow_figure import SPIN, draw_energy_flow, flows_of
+from train_viz.line_profile import height_profile
+from train_viz.run_page import run_page
+from train_viz.supply_figure import draw_energy_supply, supply_flows
+from train_viz.trip_figure import draw_trip, stops
+
+BRAKE_FROM_S = 40.0
+
+
+def texts(figure):
+    return ' '.join(text.get_text() for text in figure.axes[0].texts)
+
+
+class BrakingFiguresTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, 'run.bag')
+            cls.written = write_bag(path, slip=0.1, limit_N=50e3, brake_from_s=BRAKE_FROM_S, air_brake=True, supply=True)
+            cls.braked = read_bag(path)
+            write_bag(path, duration_s=10.0)
+            cls.plain = read_bag(path)
+
+    def setUp(self):
+        self.addCleanup(plt.close, 'all')
+
+    def test_reader_has_the_brakes_of_version_3(self):
+        last = {name: values[-1] for name, values in self.written.items() if isinstance(values, np.ndarray)}
+        self.assertEqual(self.braked.locos['brake_rail'][-1].tolist(), [last['taken']] * 3)
+        self.assertEqual(self.braked.locos['recovered_rim'][-1].tolist(), [last['recovered']] * 3)
+        self.assertEqual(self.braked.account['air_brake'][-1], last['air'])
+        self.assertEqual((self.braked.brake_notch[0, 1], self.braked.brake_notch[-1, 1], self.braked.notch[-1, 1]), (0.0, 5.0, 0.0))
+        self.assertEqual((self.braked.pipe_pressure_Pa[0, 7], self.braked.pipe_pressure_Pa[-1, 7]), (5e5, 0.0))
+        self.assertEqual(self.braked.cylinder_pressure_Pa[-1].tolist(), [0.0] * 3 + [3.8e5] * 5)
+        self.assertEqual((self.braked.brakes(), self.braked.has_air_brake(), self.braked.has_supply()), (True, True, True))
+        self.assertEqual((self.plain.brakes(), self.plain.has_air_brake(), self.plain.has_supply()), (False, False, False))
+
+    def test_slip_is_parted_into_driving_and_braking(self):
+        parted = {name: values[-1] for name, values in between_rim_and_rail(self.braked).items()}
+        lost = self.written['rim'][-1] - self.written['work'][-1]
+        self.assertGreater(lost, 1e5)
+        np.testing.assert_allclose(parted['slip_driving'], 0.9 * lost, rtol=1e-9)
+        np.testing.assert_allclose(parted['rest_driving'], 0.1 * lost, rtol=1e-9)
+        np.testing.assert_allclose(parted['slip_braking'], 0.1 * self.written['taken'][-1], rtol=1e-9)
+        np.testing.assert_allclose(parted['rest_braking'], 0.0, atol=1e-6 * lost)
+
+    def test_rolling_back_at_a_start_is_no_braking(self):
+        run = dataclasses.replace(self.plain, locos={name: values.copy() for name, values in self.plain.locos.items()})
+        run.locos['energy_rail'][5:] -= 2e6
+        run.locos['energy_slip'][5:] += 1e6
+        parted = between_rim_and_rail(run)
+        self.assertFalse(parted['slip_braking'].any() or parted['rest_braking'].any())
+        np.testing.assert_allclose(parted['slip_driving'][-1], 1e6, rtol=1e-12)
+
+    def test_flow_closes_at_rail_and_at_the_brakes(self):
+        sources, losses, sinks, braked = flows_of(self.braked)
+        self.assertEqual([flow[0] for flow in braked], ['recovered by motors, at the rim', 'slip loss, braking'])
+        self.assertEqual(sinks[-1][0], "locomotives' brakes, at the rail")
+        self.assertIn("air brake, wagons' shoes", [flow[0] for flow in sinks])
+        total = [sum(flow[2] for flow in flows) for flows in (sources, losses, sinks, braked)]
+        self.assertAlmostEqual(total[0], total[1] + total[2], delta=2e-3 * total[0])  # its balance is Euler's, to 1e-3
+        self.assertAlmostEqual(sinks[-1][2], total[3], places=12)
+        self.assertAlmostEqual(total[3], 3e-6 * self.written['taken'][-1], delta=1e-9 * total[3])
+        words = texts(draw_energy_flow(self.braked))
+        for part in ('traction, at the rail', 'at the rim: ', "locomotives'\nbrakes,\nat the rail"):
+            self.assertIn(part, words)
+
+    def test_spin_of_wheels_that_slow_down_goes_to_the_brakes_beside_the_rail(self):
+        run = dataclasses.replace(self.braked, account={name: values.copy() for name, values in self.braked.account.items()},
+                                  locos={name: values.copy() for name, values in self.braked.locos.items()})
+        run.locos['recovered_rim'][-1] += 1e6
+        run.account['recovered_rim'][-1] += 3e6
+        sources, _, sinks, braked = flows_of(run)
+        self.assertEqual(sources[-1][0], SPIN)
+        self.assertAlmostEqual(sources[-1][2], 3.0, places=6)
+        self.assertAlmostEqual(sum(flow[2] for flow in braked), sinks[-1][2], places=9)
+        number = f'{run.account["brake_rail"][-1] / 1e6:.1f}'
+        self.assertIn(f'at the rail\n{number} MJ', texts(draw_energy_flow(run)))
+
+    def test_account_has_bars_and_rows_of_brakes_and_supply_only_where_there_are_some(self):
+        def words(runs):
+            return [cell.get_text().get_text() for cell in draw_energy_account(runs).axes[1].tables[0].get_celld().values()]
+        shown = words([self.plain, self.braked])
+        for row in ("air brake, wagons' shoes [MJ]", "locomotives' brakes, at the rail [MJ]", 'fuel burnt [l]'):
+            self.assertIn(row, shown)
+            self.assertNotIn(row, words([self.plain]))
+        self.assertIn(f'{3e-6 * self.written["taken"][-1]:.3f}', shown)
+        self.assertEqual(shown.count('-'), 8)  # the run without a supply
+
+    def test_supply_closes_from_fuel_to_rim(self):
+        supply = supply_MJ(self.braked)
+        rim, recovered = 3e-6 * self.written['rim'][-1], 3e-6 * self.written['recovered'][-1]
+        for name, value in (('motored', rim), ('shaft', rim / 0.9 / 0.8), ('fuel', rim / 0.9 / 0.8 / 0.4), ('unserved', 0.0),
+                            ('recovered_loss', 0.1 * recovered), ('storage_loss', 0.05 * 0.45 * recovered)):
+            self.assertAlmostEqual(supply[name], value, delta=1e-9 * rim, msg=name)
+        losses, sources, sinks = supply_flows(supply)
+        self.assertEqual([flow[0] for flow in sources], ['fuel', 'recovered, at the rim'])
+        self.assertAlmostEqual(sum(flow[2] for flow in sources), sum(flow[2] for flow in losses + sinks), delta=1e-9 * rim)
+        words = texts(draw_energy_supply(self.braked))
+        for part in ('fuel\n', 'shaft\n', 'link\n', 'motors, at the rim: ', 'resistors, at the link: ', ' l of fuel'):
+            self.assertIn(part, words)
+        self.assertIsNone(draw_energy_supply(self.plain))
+
+    def test_line_drawn_and_returned_are_told_apart_by_their_turns(self):
+        supply = ('supply: {kind: overhead_line, drivetrain_efficiency: 1.0, line: {efficiency: 0.5, regenerates: true}}')
+        run = dataclasses.replace(self.braked, resolved=self.plain.resolved.replace('0.35}', f'0.35, {supply}}}'),
+                                  locos={name: np.zeros_like(values) for name, values in self.braked.locos.items()})
+        run.locos['line'][1:] = 8e6
+        run.locos['line'][2:] -= 2e6
+        run.locos['energy_rim'][1:], run.locos['recovered_rim'][2:] = 4e6, 4e6
+        got = supply_MJ(run)
+        for name, value in (('drawn', 24.0), ('returned', 6.0), ('line_loss', 18.0), ('unserved', 0.0)):
+            self.assertAlmostEqual(got[name], value, places=9, msg=name)
+
+    def test_trip_has_speed_limit_notches_pressures_and_the_line(self):
+        there = dataclasses.replace(self.braked, location_m=self.braked.location_m + 200.0)  # into the curve
+        speed, notch, pressure, line, curvature = draw_trip(there).axes
+        limit, drawn = speed.get_lines()[:2]
+        np.testing.assert_allclose(limit.get_ydata(), 80.0, rtol=1e-12)
+        np.testing.assert_allclose(drawn.get_ydata(), 3.6 * self.written['speed'], rtol=1e-12)
+        self.assertEqual({value for line in notch.get_lines()[:2] for value in line.get_ydata()},
+                         {0.0, 1.0, 2.0, 3.0, 4.0, -5.0, -0.0})
+        self.assertEqual([text.get_text() for text in pressure.get_legend().get_texts()],
+                         ['pipe, vehicle 1', 'pipe, vehicle 8', 'cylinder, vehicle 4', 'cylinder, vehicle 8'])
+        self.assertEqual((line.get_ylabel(), curvature.get_ylabel()[:9]), ('height [m]', 'curvature'))
+        self.assertEqual(len(draw_trip(self.plain).axes), 3)  # no pressures, no curve
+
+    def test_stops_are_told_with_their_length(self):
+        speed = self.braked.speed_mps.copy()
+        speed[500:1000] = 0.0
+        (place, seconds), = stops(dataclasses.replace(self.braked, speed_mps=speed))
+        self.assertAlmostEqual(place, self.braked.location_m[500], places=9)
+        self.assertAlmostEqual(seconds, 499 * 0.02, places=9)
+
+    def test_heights_are_the_integral_of_the_grades(self):
+        listed = 'track: {grades: [{from_km: 0, grade_permille: 10}, {from_km: 1, grade_permille: -5}]}'
+        tabled = ('track: {between_rows: {grade: linear}, table: "chainage_km,grade_permille\\n0,0\\n1,10\\n2,10\\n"}')
+        for resolved, place_m, height_m in ((listed, 1500.0, 7.5), (tabled, 1000.0, 5.0), (tabled, 1500.0, 10.0)):
+            place, height = height_profile(resolved, 0.0, 2000.0)
+            self.assertAlmostEqual(np.interp(place_m, place, height), height_m, delta=1e-3)
+        self.assertIsNone(height_profile('', 0.0, 1.0))
+
+    def test_pressure_maps_show_the_whole_run_and_the_wave(self):
+        self.assertAlmostEqual(first_application_s(self.braked), BRAKE_FROM_S + 0.04, delta=0.021)  # of 2.5 bar/s
+        figure = draw_brake_pressures(self.braked)
+        whole, wave = figure.axes[:2]
+        self.assertEqual([axes.get_title() for axes in (whole, wave)], ['whole run', 'first application'])
+        self.assertLess(wave.get_xlim()[1], BRAKE_FROM_S + 31.0)
+        self.assertEqual(whole.get_ylim(), (8.5, 0.5))
+        cylinders = figure.axes[2].collections[0].get_array().reshape(8, -1)
+        self.assertTrue(np.ma.getmaskarray(cylinders)[:3].all())  # locomotives without shoes
+        self.assertAlmostEqual(cylinders[7].max(), 3.8, places=9)
+        self.assertIsNone(draw_brake_pressures(self.plain))
+
+    def test_brake_energy_names_its_ends_and_the_stores_of_the_supply(self):
+        brakes, stores = draw_brake_energy(self.braked).axes[:2]
+        lines = {line.get_label(): line.get_ydata()[-1] for line in brakes.get_lines() + stores.get_lines()
+                 if len(line.get_ydata())}
+        stored = 3e-6 * 0.45 * 0.95 * self.written['recovered'][-1]
+        self.assertIn(f'in the storage, change: {stored:.1f} MJ', lines)
+        self.assertAlmostEqual(lines[f"wagons' shoes: {self.written['air'][-1] / 1e6:.1f} MJ"],
+                               self.written['air'][-1] / 1e6, places=9)
+        self.assertIsNone(draw_brake_energy(self.plain))
+
+    def test_page_tells_brakes_and_fuel_at_the_end(self):
+        page = run_page([self.braked], {})
+        for words in ('recovered, at the rim [MJ]', 'its fuel [l]', f'{self.braked.locos["litres"][-1, 0]:.2f}</td>',
+                      f'{len(self.braked.time_s)} of {len(self.braked.time_s)}'):
+            self.assertIn(words, page)
+        self.assertNotIn('recovered', run_page([self.plain], {}))
+
+
+if __name__ == '__main__':
+    rosunit.unitrun('train_viz', 'test_braking_figures', BrakingFiguresTest)
