@@ -110,8 +110,9 @@ TEST(CreepCurveTest, KnowsTheRailOfThePlace) {
 TEST(CreepCurveTest, CountsLocomotivesThroughRepeatedGroups) {
   const std::string dir = CONFIG_DIR;
   const std::string loco = "vehicle_file: " + dir + "/locomotives/co_co_134t.yaml";
-  const std::string unit = "{repeat: 2, groups: [{kind: locomotive, " + loco + "}, {kind: wagon, vehicle_file: " + dir +
-                           "/vehicles/wagon_120t.yaml}, {kind: locomotive, locomotive_model: 1d, " + loco + "}]}";
+  const std::string unit =
+      "{repeat: 2, groups: [{kind: locomotive, count: 1, " + loco + "}, {kind: wagon, count: 1, vehicle_file: " + dir +
+      "/vehicles/wagon_120t.yaml}, {kind: locomotive, count: 1, locomotive_model: 1d, " + loco + "}]}";
   const std::string text = resolvedText("paper_2d.yaml", {{"train.groups", "[" + unit + "]"}});
   std::string why;
   for (const int locomotive : {1, 3}) EXPECT_TRUE(CreepCurve::read(text, locomotive, why)) << why;
