@@ -13,8 +13,10 @@ packages=(
   python3-std-msgs python3-tf2-msgs python3-geometry-msgs python3-rosgraph-msgs python3-diagnostic-msgs
   python3-roslaunch python3-rostest python3-rosbag python3-rosservice python3-rostopic
   python3-rosnode python3-rosmsg python3-rosparam rosbash
-  # panels of rviz; a screen for their tests
-  librviz-dev rviz pluginlib-dev qtbase5-dev libqwt-qt5-dev xvfb libgl1-mesa-dri
+  # rviz with its panels, and a screen that they can be tested on
+  rviz librviz-dev pluginlib-dev qtbase5-dev libqwt-qt5-dev
+  libvisualization-msgs-dev ros-visualization-msgs python3-visualization-msgs libgeometry-msgs-dev ros-geometry-msgs
+  libgl1-mesa-dri xvfb imagemagick
   # figures
   python3-matplotlib python3-yaml
   # build tool and checks that CI runs

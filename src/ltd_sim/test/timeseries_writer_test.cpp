@@ -47,7 +47,7 @@ TEST_F(TimeseriesWriterTest, ShowsTheLeadingLocomotiveAndTheSumsOverAllOfThem) {
                           "largest_draft_coupler", "largest_buff_N", "largest_buff_coupler", "speed_limit_mps",
                           "brake_notch", "pipe_pressure_bar", "air_brake_force_N", "energy_brake_rail_train_J",
                           "energy_recovered_rim_train_J"}));
-  EXPECT_EQ(rows[1], (Row{"3", "0", "2", "0", "0", "0", "0", "0", "0", "0", "", "0", "", "22.2222222222222", "0", "5",
+  EXPECT_EQ(rows[1], (Row{"3", "0", "2", "0", "0", "0", "0", "0", "0", "0", "", "0", "", "22.22222222222222", "0", "5",
                           "0", "0", "0"}));
   // Power: 100 N at 2.5 m/s and 300 N at 4 m/s.
   EXPECT_EQ(rows[2], (Row{"3.0015", "0.004", "2.5", "5", "100", "400", "1450", "7000", "8000", "0", "", "0", "", "15",

@@ -102,6 +102,7 @@ def _draw_sinks(axes: Axes, flows: Tuple[List[Flow], List[Flow], List[Flow]], at
     for i, (flow, low) in enumerate(zip(ends, lows)):
         if i == len(ends) - len(braked):
             brakes, brakes_low = _draw_brakes(axes, sinks[-1], rail, low + flow[2], at_rail[1])
+            bottom = min(bottom, brakes_low + sinks[-1][2] / 2.0 - 2.0 * sankey.SLOT * total)  # room for four lines
         outlet = motors if i < len(losses) else brakes or rail
         sankey.draw_sink(axes, flow, outlet.take(flow[2]), (X_SINKS, low))
     axes.set_ylim(min(bottom, 0.0), top + sankey.GAP * total)
@@ -114,6 +115,6 @@ def _draw_brakes(axes: Axes, flow: Flow, rail: Outlet, top: float, spin: float) 
     low, taken = top - energy, energy - spin
     sankey.band(axes, rail.take(taken), (X_BRAKES, top - taken), taken, colour)
     sankey.node(axes, X_BRAKES, low, energy, colour)
-    axes.text(X_BRAKES - 0.02, top - taken / 2.0, "locomotives'\nbrakes,\n" + f'at the rail\n{sankey.number(taken)} MJ', ha='right',
-              va='center', fontsize=12, zorder=4)
+    axes.text(X_BRAKES - 0.02, top - taken / 2.0, f"locomotives'\nbrakes,\nat the rail\n{sankey.number(taken)} MJ",
+              ha='right', va='center', fontsize=12, zorder=4)
     return Outlet(X_BRAKES, top), low

@@ -121,7 +121,7 @@ class Run:
         """Whether the rim pays visibly more than the rail gets (in 1D both are the same)."""
         scale = np.max(np.abs(self.loco_energy_rail_J))
         # 1e-4, chosen: a tenth of the width of a line in the figures.
-        return bool(np.max(np.abs(self.loco_energy_rim_J - self.loco_energy_rail_J)) > 1e-4 * scale)
+        return bool(np.max(np.abs(self.loco_energy_rim_J - self.loco_energy_rail_J)) > max(1e-4 * scale, 1.0))
 
     def races(self) -> bool:
         """Whether wheels spin so much that the motors' work dwarfs what arrives: more than twice (chosen) the work at the rail."""

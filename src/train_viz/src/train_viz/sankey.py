@@ -55,7 +55,7 @@ def label(axes: Axes, x: float, y: float, words: str, energy: float, side: str) 
 
 
 def number(energy: float) -> str:
-    return f'{energy:.1f}' if abs(energy) >= 10.0 else f'{energy:.3g}'
+    return f'{energy:.1f}' if abs(energy) >= 10.0 else f'{round(energy, 6) + 0.0:.3g}'  # to 1 J: less is round-off
 
 
 def node(axes: Axes, x: float, low: float, height: float, colour: str) -> None:

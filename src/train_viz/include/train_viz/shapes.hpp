@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "rail_core/world_track.hpp"
+
+/// What is drawn of a train, in the frame `map` of docs/watch.md: x forward, y left, z up, lengths in m. No ROS here.
+namespace viz {
+
+/// Red, green, blue and opacity, each from 0 to 1.
+struct Colour {
+  double r = 0.0, g = 0.0, b = 0.0, a = 1.0;
+};
+
+/// A box about its centre B.
+struct Box {
+  Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  ///< along B's x, y, z
+  Colour colour;
+};
+
+/// Three points a triangle, counterclockwise seen from outside; a colour a point.
+struct Triangles {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<Colour> colours;
+
+  void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Colour& colour);
+  /// A quadrangle a, b, c, d, counterclockwise seen from outside.
+  void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d,
+           const Colour& colour);
+  void add(const Box& box);
+  /// A cylinder about the y axis of its frame.
+  void addCylinder(const Eigen::Isometry3d& X_WB, double radius_m, double width_m, const Colour& colour);
+};
+
+struct Arrow {
+  Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d to_m = Eigen::Vector3d::Zero();
+  Colour colour;
+};
+
+/// A text that faces whoever looks.
+struct Caption {
+  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();
+  double height_m = 1.0;  ///< of a capital letter
+  std::string text;
+};
+
+/// X_WT: the track's frame in the world.
+Eigen::Isometry3d frameOf(const rail::TrackPose& pose);
+
+}  // namespace viz

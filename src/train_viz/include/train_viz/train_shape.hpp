@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "train_viz/shapes.hpp"
+#include "train_viz/train_outline.hpp"
+
+namespace viz {
+
+/// The train as it is drawn at one instant.
+struct TrainShape {
+  std::vector<Box> bodies;    ///< per vehicle
+  std::vector<Box> bogies;    ///< two per vehicle, from the head; not of the chosen locomotive
+  std::vector<Box> couplers;  ///< per coupler: from body to body, in the colour of its force
+  Triangles chosen_bogies;    ///< bogies and wheels of the chosen locomotive, to be looked through
+  Triangles force_diagram;    ///< coupler forces along the line: draft to its left, buff to its right
+};
+
+/// Puts every vehicle on the line: a box whose centre is over its CoG's place and whose heading is the tangent there;
+/// bogies likewise at their own places. Bodies are true in length (over couplers less kBodyGap_m), width and height are
+/// chosen. Not drawn: that a long body leans on its two bogies' chord, 84 mm inside the curve for 14.2 m in R300.
+/// @param chosen             locomotive whose bogies are shown in detail, from 1
+/// @param vehicle_location_m chainages of the CoGs, as many as the outline has vehicles
+/// @param coupler_force_N    + draft, - buff; one less
+TrainShape computeTrainShape(const TrainOutline& outline, const rail::WorldTrack& world, int chosen,
+                             const std::vector<double>& vehicle_location_m, const std::vector<double>& coupler_force_N);
+
+inline constexpr double kBodyGap_m = 1.0;            ///< chosen: between two bodies, the couplers' room
+inline constexpr double kCouplerHeight_m = 0.885;    ///< that of the paper's locomotive
+inline constexpr double kDiagram_m_per_N = 20.0e-6;  ///< chosen: 20 m beside the line for 1 MN
+
+}  // namespace viz

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <train_msgs/Adhesion.h>
+#include <train_msgs/TrainState.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <vector>
+
+#include "train_viz/caption.hpp"
+#include "train_viz/contact_shape.hpp"
+#include "train_viz/track_shape.hpp"
+#include "train_viz/train_outline.hpp"
+#include "train_viz/train_shape.hpp"
+
+/// From what is drawn to rviz's messages, all in the frame `map`. Their stamp is 0: they are shown as they come.
+namespace viz {
+
+visualization_msgs::MarkerArray toMsg(const TrackShape& shape);
+visualization_msgs::MarkerArray toTrainMsg(const TrainShape& shape, const std::vector<Caption>& captions);
+visualization_msgs::MarkerArray toCouplersMsg(const TrainShape& shape);
+visualization_msgs::MarkerArray toMsg(const ContactShape& shape);
+
+/// A frame of tf, child of `map`.
+geometry_msgs::TransformStamped toMsg(ros::Time stamp, const std::string& child, const Eigen::Isometry3d& X);
+
+/// Takes away all that this topic has shown.
+visualization_msgs::MarkerArray clearingMsg();
+
+CaptionValues fromMsg(const train_msgs::TrainState& msg);
+
+/// The contacts of a locomotive, or one for each wheel where the model tells of axles only (2D): half the axle's force,
+/// above the middle of the rail.
+/// @throws std::runtime_error if the message has another number of axles than the outline
+std::vector<Contact> fromMsg(const train_msgs::Adhesion& msg, const VehicleOutline& locomotive);
+
+}  // namespace viz

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <ros/ros.h>
+#include <tf2_msgs/TFMessage.h>
+#include <train_msgs/Adhesion.h>
+#include <train_msgs/RunConfiguration.h>
+#include <train_msgs/TrainState.h>
+
+#include <memory>
+#include <string>
+
+#include "rail_core/world_track.hpp"
+#include "train_viz/train_outline.hpp"
+
+namespace viz {
+
+/// Shows a run in rviz: listens to /train/configuration, /train/state and /loco_i/adhesion, publishes markers and the
+/// frames `train` and `chosen_locomotive`, no more often than `rate_hz` of wall time, and nothing while nothing new has
+/// come. docs/watch.md says what is on which topic.
+class TrainMarkers {
+ public:
+  struct Options {
+    int locomotive = 1;     ///< whose contacts are shown, from 1 at the head
+    double rate_hz = 20.0;  ///< of wall time
+  };
+  explicit TrainMarkers(const Options& options);
+
+ private:
+  void onConfiguration(const train_msgs::RunConfiguration& msg);
+  void onTimer(const ros::WallTimerEvent&);
+  void showTrain(const train_msgs::TrainState& msg);
+  void showContacts(const train_msgs::Adhesion& msg);
+  tf2_msgs::TFMessage computeFrames(const train_msgs::TrainState& msg) const;
+  void advertise();
+
+  /// The run that is shown; the world refers to the outline's track, so both stay where they are.
+  struct Run {
+    explicit Run(const std::string& resolved) : outline(TrainOutline::read(resolved)), world(outline.track) {}
+    const TrainOutline outline;
+    const rail::WorldTrack world;
+  };
+
+  Options options_;
+  std::unique_ptr<const Run> run_;
+  train_msgs::TrainState::ConstPtr state_;   ///< newest, not shown yet
+  train_msgs::Adhesion::ConstPtr adhesion_;  ///< likewise
+  tf2_msgs::TFMessage frames_;               ///< last ones, for who comes late
+  ros::NodeHandle node_, private_node_{"~"};
+  ros::Publisher track_, train_, couplers_, contacts_, tf_;
+  ros::Subscriber configuration_subscriber_, state_subscriber_, adhesion_subscriber_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace viz

@@ -1,0 +1,120 @@
+#include "train_viz/train_shape.hpp"
+
+#include "train_viz/colour_scale.hpp"
+
+namespace viz {
+
+namespace {
+
+// Chosen: cross-sections of usual stock, and colours that none of the scales has. Heights above the rail tops.
+constexpr double kWidth_m = 2.9;
+constexpr double kFloor_m = 1.15;
+constexpr double kLocoTop_m = 4.2;
+constexpr double kWagonTop_m = 3.1;
+constexpr double kBogieWidth_m = 2.3;
+constexpr double kBogieBottom_m = 0.35;
+constexpr double kBogieEnds_m = 1.2;  // both, beyond the outer axles
+constexpr double kCouplerWidth_m = 0.4;
+constexpr double kWheelWidth_m = 0.135;  // UIC 510-2
+constexpr double kAxleRadius_m = 0.09;
+constexpr double kDiagramHeight_m = -0.3;  // under the bed
+constexpr double kDiagramOpacity = 0.5;
+constexpr Colour kLoco{0.95, 0.6, 0.1, 1.0};
+constexpr Colour kChosenLoco{1.0, 0.78, 0.25, 1.0};
+constexpr Colour kWagon{0.36, 0.46, 0.42, 1.0};
+constexpr Colour kBogie{0.16, 0.16, 0.18, 1.0};
+constexpr Colour kGlassBogie{0.3, 0.3, 0.35, 0.25};
+constexpr Colour kGlassWheel{0.55, 0.58, 0.62, 0.35};
+
+Box boxOn(const rail::WorldTrack& world, double s_m, double length_m, double width_m, double bottom_m, double top_m,
+          const Colour& colour) {
+  Box box;
+  box.X_WB = frameOf(world.at(s_m)) * Eigen::Translation3d(0.0, 0.0, 0.5 * (bottom_m + top_m));
+  box.size_m = Eigen::Vector3d(length_m, width_m, top_m - bottom_m);
+  box.colour = colour;
+  return box;
+}
+
+Box bodyOf(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, bool chosen) {
+  const Colour colour = !vehicle.locomotive ? kWagon : chosen ? kChosenLoco : kLoco;
+  return boxOn(world, s_m, vehicle.length_m - kBodyGap_m, kWidth_m, kFloor_m,
+               vehicle.locomotive ? kLocoTop_m : kWagonTop_m, colour);
+}
+
+Box bogieOf(const BogieOutline& bogie, const rail::WorldTrack& world, double s_m, const Colour& colour) {
+  const double wheelbase_m = bogie.axles_m.empty() ? 0.0 : bogie.axles_m.front() - bogie.axles_m.back();
+  return boxOn(world, s_m + bogie.x_m, wheelbase_m + kBogieEnds_m, kBogieWidth_m, kBogieBottom_m, kFloor_m, colour);
+}
+
+void addChosenBogies(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, Triangles& triangles) {
+  for (const BogieOutline& bogie : vehicle.bogies) {
+    triangles.add(bogieOf(bogie, world, s_m, kGlassBogie));
+    for (const double x_m : bogie.axles_m) {
+      const Eigen::Isometry3d X_WA =
+          frameOf(world.at(s_m + x_m)) * Eigen::Translation3d(0.0, 0.0, vehicle.wheel_radius_m);
+      triangles.addCylinder(X_WA, kAxleRadius_m, rail::kCantBaseline_m, kGlassWheel);
+      for (const double side : {0.5, -0.5})
+        triangles.addCylinder(X_WA * Eigen::Translation3d(0.0, side * rail::kCantBaseline_m, 0.0),
+                              vehicle.wheel_radius_m, kWheelWidth_m, kGlassWheel);
+    }
+  }
+}
+
+/// A body's end at the couplers' height. @param side  +1 front, -1 rear
+Eigen::Vector3d endOf(const Box& body, double side) {
+  const double below_centre_m = 0.5 * body.size_m.z() + kFloor_m - kCouplerHeight_m;
+  return body.X_WB * Eigen::Vector3d(0.5 * side * body.size_m.x(), 0.0, -below_centre_m);
+}
+
+Box couplerBetween(const Eigen::Vector3d& front, const Eigen::Vector3d& rear, double force_N) {
+  Box box;
+  box.X_WB.translation() = 0.5 * (front + rear);
+  box.X_WB.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), front - rear).toRotationMatrix();
+  box.size_m = Eigen::Vector3d((front - rear).norm(), kCouplerWidth_m, kCouplerWidth_m);
+  box.colour = couplerColour(force_N);
+  return box;
+}
+
+/// The band between the line and the forces, from coupler to coupler.
+void addDiagram(const rail::WorldTrack& world, const std::vector<double>& place_m, const std::vector<double>& force_N,
+                Triangles& diagram) {
+  for (std::size_t i = 0; i + 1 < place_m.size(); ++i) {
+    const Eigen::Isometry3d X_WF = frameOf(world.at(place_m[i])), X_WR = frameOf(world.at(place_m[i + 1]));
+    const auto at = [](const Eigen::Isometry3d& X_WT, double y_m) -> Eigen::Vector3d {
+      return X_WT * Eigen::Vector3d(0.0, y_m, kDiagramHeight_m);
+    };
+    Colour colour = couplerColour(0.5 * (force_N[i] + force_N[i + 1]));
+    colour.a = kDiagramOpacity;
+    diagram.add(at(X_WR, 0.0), at(X_WF, 0.0), at(X_WF, kDiagram_m_per_N * force_N[i]),
+                at(X_WR, kDiagram_m_per_N * force_N[i + 1]), colour);
+  }
+}
+
+}  // namespace
+
+TrainShape computeTrainShape(const TrainOutline& outline, const rail::WorldTrack& world, int chosen,
+                             const std::vector<double>& vehicle_location_m,
+                             const std::vector<double>& coupler_force_N) {
+  TrainShape shape;
+  for (std::size_t i = 0; i < outline.vehicles.size(); ++i) {
+    const VehicleOutline& vehicle = outline.vehicles[i];
+    const double s_m = vehicle_location_m[i];
+    const bool is_chosen = vehicle.locomotive == chosen;
+    shape.bodies.push_back(bodyOf(vehicle, world, s_m, is_chosen));
+    if (is_chosen) {
+      addChosenBogies(vehicle, world, s_m, shape.chosen_bogies);
+    } else {
+      for (const BogieOutline& bogie : vehicle.bogies) shape.bogies.push_back(bogieOf(bogie, world, s_m, kBogie));
+    }
+  }
+  std::vector<double> place_m;
+  for (std::size_t i = 0; i < coupler_force_N.size(); ++i) {
+    shape.couplers.push_back(
+        couplerBetween(endOf(shape.bodies[i], -1.0), endOf(shape.bodies[i + 1], 1.0), coupler_force_N[i]));
+    place_m.push_back(vehicle_location_m[i] - 0.5 * outline.vehicles[i].length_m);
+  }
+  addDiagram(world, place_m, coupler_force_N, shape.force_diagram);
+  return shape;
+}
+
+}  // namespace viz

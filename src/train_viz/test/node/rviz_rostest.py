@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""A recorded run, played: the markers that come, how often, and what rviz shows of them on a screen in memory."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import rosgraph
+import rospy
+import rostest
+from tf2_msgs.msg import TFMessage
+from visualization_msgs.msg import Marker, MarkerArray
+
+REPO = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..', '..'))
+SCENARIO = os.path.join(REPO, 'config', 'scenarios', 'paper_3d.yaml')
+LAYOUT = os.path.join(REPO, 'config', 'rviz', 'train.rviz')
+TOPICS = ('track', 'train', 'couplers', 'contacts')
+RUN_S = 2.0
+# in the curve, all locomotives pulling
+OVERRIDES = ['run.start_location_km=3.5', 'run.start_speed_kmph=25', f'run.end_time_s={RUN_S}', 'driver.notches=[[0, 8]]',
+             'output.report_locations_km=[3.505]', 'output.section_boundaries_km=[3.505]']
+DEADLINE_S = 30.0  # chosen: rviz draws without a graphics card in 2 to 5 s
+
+
+def wait_for(condition, what):
+    """Until `condition()` holds; its value."""
+    end = time.monotonic() + DEADLINE_S
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.1)
+    raise AssertionError(f'after {DEADLINE_S:.0f} s still not so: {what}')
+
+
+def record_run(folder):
+    command = ['rosrun', 'ltd_sim', 'ltd_offline', SCENARIO, '--out', folder]
+    for override in OVERRIDES:
+        command += ['--set', override]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    return os.path.join(folder, 'paper_3d.bag')
+
+
+def faults_of(marker):
+    """What rviz would refuse to draw."""
+    if marker.action != Marker.ADD:
+        return []
+    faults = []
+    q = marker.pose.orientation
+    if abs(q.x**2 + q.y**2 + q.z**2 + q.w**2 - 1.0) > 1e-6:
+        faults.append('orientation')
+    if marker.header.frame_id != 'map':
+        faults.append('frame')
+    if marker.type in (Marker.LINE_STRIP, Marker.TRIANGLE_LIST) and len(marker.points) < 2:
+        faults.append('points')
+    if marker.type == Marker.TRIANGLE_LIST and (len(marker.points) % 3 or len(marker.points) != len(marker.colors)):
+        faults.append('triangles')
+    if marker.type == Marker.TEXT_VIEW_FACING and not marker.text:
+        faults.append('text')
+    return faults
+
+
+class RvizTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.mkdtemp(prefix='train_rviz_')
+        cls.processes = []
+        cls.bag = record_run(cls.folder)
+        cls.messages = {topic: [] for topic in TOPICS}
+        cls.frames = set()
+        for topic in TOPICS:
+            rospy.Subscriber(f'/train_markers/{topic}', MarkerArray, cls.messages[topic].append)
+        rospy.Subscriber('/tf', TFMessage, lambda msg: cls.frames.update(t.child_frame_id for t in msg.transforms))
+
+    @classmethod
+    def tearDownClass(cls):
+        for process in reversed(cls.processes):
+            process.terminate()
+            process.wait()
+        shutil.rmtree(cls.folder)
+
+    def start(self, command, log, **arguments):
+        with open(os.path.join(self.folder, log), 'w') as out:
+            process = subprocess.Popen(command, stdout=out, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, **arguments)
+        self.processes.append(process)
+        return process
+
+    def play(self):
+        subprocess.run(['rosbag', 'play', '--quiet', '--clock', self.bag], check=True, stdout=subprocess.DEVNULL)
+
+    def shown(self, topic):
+        """The last message's markers by their names, deletions left out."""
+        by_name = {}
+        for marker in self.messages[topic][-1].markers:
+            self.assertEqual(faults_of(marker), [], f'{topic}: {marker.ns} {marker.id}')
+            if marker.action == Marker.ADD:
+                by_name.setdefault(marker.ns, []).append(marker)
+        return by_name
+
+    def test_1_markers_of_a_played_run(self):
+        wait_for(lambda: '/train_markers' in subscribers_of('/train/state'), 'train_markers listens')
+        self.play()
+        wait_for(lambda: all(self.messages.values()) and 'chosen_locomotive' in self.frames, 'markers and frames')
+        self.assertLessEqual({'train', 'loco_1/wheelset_6', 'loco_3/car_body'}, self.frames)
+        self.assertEqual(set(self.shown('track')), {'bed', 'left_rail', 'right_rail', 'centre', 'posts'})
+        train = self.shown('train')
+        self.assertEqual(set(train), {'bodies', 'bogies', 'chosen_bogies', 'text'})
+        self.assertEqual(len(train['bodies'][0].points), 108 * 36)
+        self.assertIn('loco 1: notch 8', train['text'][0].text)
+        self.assertEqual(set(self.shown('couplers')), {'couplers', 'diagram'})
+        contacts = self.shown('contacts')
+        self.assertGreaterEqual(len(contacts['normal']), 12)
+        self.assertEqual(len(contacts['normal']), len(contacts['patches']))
+        for arrow in contacts['normal']:
+            self.assertGreater(arrow.points[1].z, arrow.points[0].z, 'a rail bears its wheel')
+        # 100 states in 2 s of wall time; at most 20 pictures a second, and one of slack at either end
+        self.assertLessEqual(len(self.messages['train']), RUN_S * 20 + 6)
+        self.assertGreaterEqual(len(self.messages['train']), 10)
+
+    def test_2_rviz_shows_the_train_without_an_error(self):
+        missing = [program for program in ('Xvfb', 'rviz', 'import') if shutil.which(program) is None]
+        if missing:
+            self.skipTest(f'not installed: {", ".join(missing)}; scripts/install_dependencies.sh adds them')
+        read_end, write_end = os.pipe()
+        self.start(['Xvfb', '-displayfd', str(write_end), '-screen', '0', '1280x720x24', '-nolisten', 'tcp'], 'xvfb.log',
+                   pass_fds=[write_end])
+        os.close(write_end)
+        with os.fdopen(read_end) as pipe:
+            display = ':' + pipe.readline().strip()
+        screen = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE='1', QT_X11_NO_MITSHM='1',
+                      XDG_RUNTIME_DIR=self.folder)
+        self.start(['rviz', '-d', LAYOUT, '__name:=rviz'], 'rviz.log', env=screen)
+        for topic in TOPICS:
+            wait_for(lambda: '/rviz' in subscribers_of(f'/train_markers/{topic}'), f'rviz shows {topic}')
+        self.play()
+        # the left sides of the chosen locomotive and of the others, shaded; many more pixels were seen
+        wait_for(lambda: count_pixels(screen, (223, 174, 56)) > 500, 'the chosen locomotive on the screen')
+        wait_for(lambda: count_pixels(screen, (213, 134, 22)) > 200, 'another locomotive on the screen')
+        with open(os.path.join(self.folder, 'rviz.log')) as log:
+            errors = [line for line in log if 'ERROR' in line or 'FATAL' in line]
+        self.assertEqual(errors, [])
+
+    def test_3_parameters_out_of_range_are_refused_by_name(self):
+        for parameter in ('locomotive:=0', 'locomotive:=first', 'rate_hz:=1000'):
+            name = parameter.split(':=')[0]
+            refused = subprocess.run(['rosrun', 'train_viz', 'train_markers', '__name:=refused', '_' + parameter],
+                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=DEADLINE_S)
+            rospy.delete_param('/refused/' + name)
+            self.assertEqual(refused.returncode, 2, parameter)
+            self.assertIn(f'train_markers: ~{name}: must be', refused.stdout)
+
+
+def subscribers_of(topic):
+    _, subscribers, _ = rosgraph.Master('/rviz_rostest').getSystemState()
+    return dict(subscribers).get(topic, [])
+
+
+def count_pixels(screen, colour):
+    """Pixels within 12 of 255 of a colour: rviz blends edges only."""
+    raw = subprocess.run(['import', '-window', 'root', '-depth', '8', 'rgb:-'], env=screen, check=True,
+                         stdout=subprocess.PIPE).stdout
+    return sum(1 for i in range(0, len(raw), 3) if all(abs(raw[i + k] - colour[k]) <= 12 for k in range(3)))
+
+
+if __name__ == '__main__':
+    rospy.init_node('rviz_rostest', disable_rostime=True)
+    rostest.rosrun('train_viz', 'rviz_rostest', RvizTest, sys.argv)
