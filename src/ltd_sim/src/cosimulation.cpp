@@ -82,8 +82,7 @@ bool Cosimulation::takeCommand() {
   if (!driver_port_->silent()) return false;
   char text[160];
   std::snprintf(text, sizeof text, "driver: no answer within %g s to the question of %.3f s at %s: the train brakes",
-                scenario_.driver.external()->answer_deadline_s, rail::toSeconds(time()),
-                kilometres(leadingLocation()).c_str());
+                driver_port_->deadline_s(), rail::toSeconds(time()), kilometres(leadingLocation()).c_str());
   silence_ = text;
   scenario_.driver.giveSilence(state_.driver);
   return true;

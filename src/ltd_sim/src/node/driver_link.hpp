@@ -30,6 +30,7 @@ class DriverLink : public DriverPort {
   void ask(std::uint64_t step, const DriverView& view) override;
   const DriverCommand* answer() override;
   void refuse(const std::string& why) override;
+  double deadline_s() const override;
   bool silent() override;
 
   /// Takes what came in. @return empty, or why it does not count
@@ -47,7 +48,7 @@ class DriverLink : public DriverPort {
   bool asked_ = false, answered_once_ = false;
   double asked_at_s_ = 0.0, sent_at_s_ = 0.0;  ///< wall time
   std::optional<DriverCommand> answer_;
-  std::string refused_;  ///< why the last answer did not count
+  std::string refused_;  ///< why the last answer to this question did not count
   train_msgs::DriverView question_;
 
   loco::ImmediateQueue queue_;
