@@ -85,6 +85,9 @@ void SummaryWriter::reportLocos(double location_m, double w, const TrainState& b
     }
     row("energy_auxiliaries", "J", between(b.auxiliaries_J, a.auxiliaries_J));
     row("energy_to_resistors", "J", between(b.to_resistors_J, a.to_resistors_J));
+    row("energy_unserved", "J", between(b.unserved_J, a.unserved_J));
+    row("energy_overload", "J", between(b.overload_J, a.overload_J));
+    row("energy_supply_residual", "J", between(b.residual(), a.residual()));
   }
 }
 
