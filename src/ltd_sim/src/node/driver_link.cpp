@@ -48,6 +48,11 @@ void DriverLink::refuse(const std::string& why) {
   answer_.reset();
 }
 
+std::string DriverLink::refusal() const {
+  if (refused_.empty()) return {};
+  return "the driver's answer to step " + std::to_string(question_.step) + " was refused: " + refused_;
+}
+
 double DriverLink::waited_s() const { return wallNow() - asked_at_s_; }
 
 double DriverLink::deadline_s() const { return answered_once_ ? answer_deadline_s_ : first_deadline_s_; }

@@ -35,6 +35,8 @@ class DriverLink : public DriverPort {
 
   /// Takes what came in. @return empty, or why it does not count
   std::string take(const train_msgs::DriverCommand& msg);
+  /// In words, if his last answer to this question was refused; else empty.
+  std::string refusal() const;
   /// Asks again, if it is time.
   void tick();
   /// In words, if he has kept the run waiting for longer than that; else empty.
