@@ -149,7 +149,8 @@ std::string Cosimulation::checkSpeeds() {
     largest_drift_mps_ = std::max(largest_drift_mps_, drift);
     if (!(drift <= scenario_.lock.synchronisation_tolerance_mps)) {
       char text[160];
-      std::snprintf(text, sizeof text, "%s: its speed differs from LTD's by %.3g m/s (synchronisation_tolerance %.3g)",
+      std::snprintf(text, sizeof text,
+                    "%s: its speed differs from LTD's by %.3g m/s (lock.synchronisation_tolerance_mps %.3g)",
                     nameOf(i).c_str(), drift, scenario_.lock.synchronisation_tolerance_mps);
       return text;
     }

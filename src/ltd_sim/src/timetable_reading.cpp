@@ -74,9 +74,9 @@ void TimetableDriver::readLine(rail::YamlReader& reader, const rail::Track& trac
   const double steepest = std::min(0.0, track.smallestGrade());
   const double brakes_mps2 = (least_N + ability_.weight_N * steepest) / ability_.mass_kg;
   if (deceleration_mps2_ > brakes_mps2)
-    reader.refuse(
-        "service_deceleration_mps2",
-        "must not be above what full service gives on the line's steepest descent, " + allDigits(brakes_mps2));
+    reader.refuse("service_deceleration_mps2",
+                  "must not be above what full service gives on the line's steepest descent, " +
+                      allDigits(brakes_mps2) + " m/s2");
 }
 
 TimetableDriver TimetableDriver::read(rail::YamlReader& reader, const rail::Track& track, const TrainAbility& ability) {
