@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "ltd_sim/csv_file.hpp"
@@ -23,6 +24,9 @@ class SummaryWriter : public RunObserver {
 
  private:
   void reportLocos(double location_m, double w, const TrainState& before, const TrainState& after);
+  using RowOf = std::function<void(const char* quantity, const char* unit, double value)>;
+  static void reportSupply(const PowerSupply& supply, const PowerSupply::State& before, const PowerSupply::State& after,
+                           double w, const RowOf& row);
   void runRow(const std::string& quantity, const std::string& unit, double value);
   void noteStepUse(const TrainForces& forces);
   double realTimeFactor() const;
