@@ -8,7 +8,6 @@ namespace ltd {
 namespace {
 
 constexpr double kHysteresis = 0.75;          // chosen: > 1/2, or two notches would both be right
-constexpr double kFirstReduction_Pa = 0.5e5;  // UIC 540: the least that moves every distributor for certain
 constexpr double kLeastReduction_Pa = 0.1e5;  // chosen: what a graduated release still holds
 constexpr double kReductionStep_Pa = 0.2e5;   // chosen: five steps from the first to UIC 540's full service
 constexpr double kTooMuch = 0.7;              // chosen: air beyond what is wanted by more than a step of the pipe

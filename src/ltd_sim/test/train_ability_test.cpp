@@ -22,6 +22,7 @@ TEST(TrainAbilityTest, FullServiceIsTheBrakesOwnNotUic540s) {
   for (const auto& [bar, reduction_Pa] : {std::pair("3.0", 2.0e5), {"3.5", 1.5e5}, {"4.5", 0.5e5}}) {
     const ltd::TrainAbility can = ltd::computeAbility(train, fixtures::makeAirBrake(fullServiceAt(bar), train));
     EXPECT_DOUBLE_EQ(can.full_service_reduction_Pa, reduction_Pa);
+    EXPECT_DOUBLE_EQ(can.first_reduction_Pa, 0.4e5);
     EXPECT_NEAR(can.full_service_N(10.0), shoes_N, 1e-9 * shoes_N) << bar;
   }
 }
