@@ -113,7 +113,7 @@ std::string BodyDynamics::step(const BodyVector& loads, double h, BodyState& sta
   for (std::size_t i = 0; i < layout_.bodies().size(); ++i) {
     for (const Dof dof : layout_.dofs()) {
       const auto k = static_cast<Eigen::Index>(dof);
-      state.v[i][k] += h * loads[i][k] / layout_.inertia(i, dof);  // (B1)
+      state.v[i][k] += h * loads[i][k] / layout_.inertia(i, dof);  // (I1)
       state.q[i][k] += h * state.v[i][k];
       if (!std::isfinite(state.v[i][k]))
         return layout_.bodies()[i].name + ": its speed in " + nameOf(dof) + " is no number";

@@ -30,7 +30,7 @@ void Loco1d::step(const std::vector<double>& state, const LocoForce& force, Loco
   const double F_others = force.coupler_front_N + force.coupler_rear_N + F_t + force.propulsion_resistance_N +
                           force.curving_resistance_N + force.grade_N;
   const double stopping_N = F_others + parameters_.inertial_mass_kg * v / H;
-  const double F_shoes = std::clamp(computeHoldingForce(stopping_N, force.shoe_force_N),  // (B2)
+  const double F_shoes = std::clamp(computeHoldingForce(stopping_N, force.shoe_force_N),  // (P3)
                                     -adhesion_limit_N_ - F_t, adhesion_limit_N_ - F_t);   // rim and rail: (T8) for both
   const double F = F_others + F_shoes;                                                    // Eq. (1)
   const bool stands = F_shoes == -stopping_N;  // exactly: F H/m would leave the last bit of v

@@ -21,7 +21,7 @@ VectorXd dampersEffectiveStiffness(const LinearModel& model, double h) {
   return (c * k / (c + k * h)).matrix();
 }
 
-/// One step of (B1) and (S2) as a matrix on (q, v, x), scaled by masses and h so that its entries are of one size. (L3)
+/// One step of (I1) and (S2) as a matrix on (q, v, x), scaled by masses and h so that its entries are of one size. (L3)
 MatrixXd stepMatrix(const LinearModel& model, double h) {
   const Index n = model.size(), m = model.dampers(), size = 2 * n + m;
   const MatrixXd& G = model.damper_stretch;

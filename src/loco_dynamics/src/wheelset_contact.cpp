@@ -75,7 +75,7 @@ double relativeSlope(double x) {
   return 0.75 * (2.0 * s0 * (1.0 - s0 * s0 / 3.0) - H * (t0 + s0 * c0) + 0.5 * H * H * s0);
 }
 
-/// Torque of the shoes, which stops the turning if it can, against forces on the straight lines of (W5).     (B2)
+/// Torque of the shoes, which stops the turning if it can, against forces on the straight lines of (W5).     (P3)
 /// @param change  of velocity in the step without shoes; becomes that with them
 template <typename Solver>
 double addShoeTorque(const Solver& solver, const WheelsetContact::Shoes& shoes, Vector6& change) {

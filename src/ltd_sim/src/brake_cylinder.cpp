@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <string>
 
+#include "ltd_sim/driver_command.hpp"
+
 namespace ltd {
 
 namespace {
 
-constexpr double kFilledShare = 0.95;                 // UIC 540: a cylinder counts as filled
-constexpr double kReleased_Pa = 0.4 * kPascalPerBar;  // UIC 540: a cylinder counts as released
+constexpr double kFilledShare = 0.95;                  // UIC 540: a cylinder counts as filled
+constexpr double kReleased_Pa = 0.4 * kPascalsPerBar;  // UIC 540: a cylinder counts as released
 
 /// UIC 540's ranges of fill and release times.
 struct Position {
@@ -31,7 +33,7 @@ BrakeCylinder BrakeCylinder::read(rail::YamlReader reader) {
   const std::string name = reader.choice("position", {"G", "P", "other"});
   const Position& position = name == "G" ? kGoods : name == "P" ? kPassenger : kOther;
   // From 1 bar, so that it is above the released pressure; to 7 bar, chosen: pascals given for bars are noticed.
-  p.full_Pa = kPascalPerBar * reader.number("full_bar", rail::between(1.0, 7.0));
+  p.full_Pa = kPascalsPerBar * reader.number("full_bar", rail::between(1.0, 7.0));
   p.fill_time_s = reader.number("fill_time_s", rail::between(position.fill_low_s, position.fill_high_s));
   p.emergency_fill_time_s =
       reader.number("emergency_fill_time_s", rail::between(position.fill_low_s, position.fill_high_s));

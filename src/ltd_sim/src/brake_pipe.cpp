@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "ltd_sim/brake_cylinder.hpp"
-
 namespace ltd {
 
 namespace {
@@ -54,17 +52,17 @@ BrakePipe::Parameters BrakePipe::read(rail::YamlReader reader, bool electronic) 
   const auto rate = rail::aboveUpTo(0.0, 50.0);  // bar/s; chosen: emptied in 0.1 s, and pascals are noticed
   Parameters p;
   p.electronic = electronic;
-  p.full_service_Pa = kPascalPerBar * reader.number("full_service_bar", rail::between(2.0, 4.5));  // chosen, about 3.5
+  p.full_service_Pa = kPascalsPerBar * reader.number("full_service_bar", rail::between(2.0, 4.5));  // chosen, about 3.5
   if (electronic) {
     p.delay_s = reader.number("delay_s", rail::between(0.0, 10.0));  // chosen: far above any signal's delay
     reader.finish();
     return p;
   }
-  p.service_exhaust_Pa_per_s = kPascalPerBar * reader.number("service_exhaust_bar_per_s", rate);
-  p.emergency_exhaust_Pa_per_s = kPascalPerBar * reader.number("emergency_exhaust_bar_per_s", rate);
+  p.service_exhaust_Pa_per_s = kPascalsPerBar * reader.number("service_exhaust_bar_per_s", rate);
+  p.emergency_exhaust_Pa_per_s = kPascalsPerBar * reader.number("emergency_exhaust_bar_per_s", rate);
   if (p.emergency_exhaust_Pa_per_s < p.service_exhaust_Pa_per_s)
     reader.refuse("emergency_exhaust_bar_per_s", "must not be less than service_exhaust_bar_per_s");
-  p.charging_Pa_per_s = kPascalPerBar * reader.number("charging_bar_per_s", rate);
+  p.charging_Pa_per_s = kPascalsPerBar * reader.number("charging_bar_per_s", rate);
   p.charging_length_m = reader.number("charging_length_m", rail::positive());
   const auto wave = rail::between(50.0, 343.0);  // m/s; low end chosen, nothing outruns sound in air at 20 degrees C
   p.service_wave_mps = reader.number("service_wave_mps", wave);

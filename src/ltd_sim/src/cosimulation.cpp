@@ -82,8 +82,7 @@ bool Cosimulation::takeCommand() {
   if (!driver_port_->silent()) return false;
   char text[160];
   std::snprintf(text, sizeof text, "driver: no answer within %g s to the question of %.3f s at %s: the train brakes",
-                scenario_.driver.external()->answer_deadline_s, rail::toSeconds(time()),
-                kilometres(leadingLocation()).c_str());
+                driver_port_->deadline_s(), rail::toSeconds(time()), kilometres(leadingLocation()).c_str());
   silence_ = text;
   scenario_.driver.giveSilence(state_.driver);
   return true;
@@ -150,7 +149,8 @@ std::string Cosimulation::checkSpeeds() {
     largest_drift_mps_ = std::max(largest_drift_mps_, drift);
     if (!(drift <= scenario_.lock.synchronisation_tolerance_mps)) {
       char text[160];
-      std::snprintf(text, sizeof text, "%s: its speed differs from LTD's by %.3g m/s (synchronisation_tolerance %.3g)",
+      std::snprintf(text, sizeof text,
+                    "%s: its speed differs from LTD's by %.3g m/s (lock.synchronisation_tolerance_mps %.3g)",
                     nameOf(i).c_str(), drift, scenario_.lock.synchronisation_tolerance_mps);
       return text;
     }

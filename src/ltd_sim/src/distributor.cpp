@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "ltd_sim/brake_cylinder.hpp"
 #include "ltd_sim/driver_command.hpp"
 
 namespace ltd {
@@ -13,16 +12,16 @@ Distributor Distributor::read(rail::YamlReader reader, double full_reduction_Pa,
   p.direct_release = reader.choice("release", {"graduated", "direct"}) == "direct";
   if (p.direct_release && electronic) reader.refuse("release", "must be graduated if the brake is electronic");
   // Up to 1 bar: chosen, so that pascals are noticed.
-  p.first_reduction_Pa = kPascalPerBar * reader.number("first_reduction_bar", rail::aboveUpTo(0.0, 1.0));
+  p.first_reduction_Pa = kPascalsPerBar * reader.number("first_reduction_bar", rail::aboveUpTo(0.0, 1.0));
   if (p.first_reduction_Pa >= p.full_reduction_Pa)
     reader.refuse("first_reduction_bar", "must be less than the reduction of full service");
   if (p.direct_release) {
-    p.release_rise_Pa = kPascalPerBar * reader.number("release_rise_bar", rail::aboveUpTo(0.0, 1.0));
+    p.release_rise_Pa = kPascalsPerBar * reader.number("release_rise_bar", rail::aboveUpTo(0.0, 1.0));
     p.reservoir_charging_Pa_per_s =
-        kPascalPerBar * reader.number("reservoir_charging_bar_per_s", rail::aboveUpTo(0.0, 1.0));
+        kPascalsPerBar * reader.number("reservoir_charging_bar_per_s", rail::aboveUpTo(0.0, 1.0));
   } else {
     p.full_release_reduction_Pa =
-        kPascalPerBar * reader.number("full_release_reduction_bar", rail::aboveUpTo(0.0, 1.0));
+        kPascalsPerBar * reader.number("full_release_reduction_bar", rail::aboveUpTo(0.0, 1.0));
     if (p.full_release_reduction_Pa >= p.first_reduction_Pa)
       reader.refuse("full_release_reduction_bar", "must be less than first_reduction_bar");
   }

@@ -8,10 +8,8 @@ namespace ltd {
 namespace {
 
 constexpr double kHysteresis = 0.75;          // chosen: > 1/2, or two notches would both be right
-constexpr double kFirstReduction_Pa = 0.5e5;  // UIC 540: the least that moves every distributor for certain
 constexpr double kLeastReduction_Pa = 0.1e5;  // chosen: what a graduated release still holds
-constexpr double kFullReduction_Pa = 1.5e5;   // UIC 540: full service, 3.5 bar
-constexpr double kReductionStep_Pa = 0.2e5;   // chosen: five steps from the first to the full service reduction
+constexpr double kReductionStep_Pa = 0.2e5;   // chosen: five steps from the first to UIC 540's full service
 constexpr double kTooMuch = 0.7;              // chosen: air beyond what is wanted by more than a step of the pipe
 constexpr double kReleaseBand_mps = 3.0;      // chosen: 11 km/h, or direct brakes would be applied and released in turn
 constexpr double kApplyBand_mps = 0.25;       // chosen: air is not applied while the train is slower by more
@@ -90,22 +88,23 @@ void DriverControls::moveAir(const Wanted& wanted, const TrainAbility& ability, 
   const double dynamic_N = ability.brake_notches > 0 ? ability.dynamic_brake_N(ability.brake_notches, v) : 0.0;
   const double full_N = ability.full_service_N ? ability.full_service_N(v) : 0.0;
   if (full_N <= 0.0 || view.t - state.air_changed < settings.air_hold) return;
-  const double wanted_Pa = kFullReduction_Pa * (wanted.brake_N - dynamic_N) / full_N;
-  const double reduction_Pa = chooseReduction(wanted_Pa, wanted, view, state);
+  const double wanted_Pa = ability.full_service_reduction_Pa * (wanted.brake_N - dynamic_N) / full_N;
+  const double reduction_Pa =
+      std::min(chooseReduction(wanted_Pa, wanted, view, state), ability.full_service_reduction_Pa);
   if (reduction_Pa == state.reduction_Pa) return;
   state.reduction_Pa = reduction_Pa;
   state.air_changed = view.t;
 }
 
-/// The reduction to ask for. @param wanted_Pa  what the dynamic brake leaves to the air
+/// The reduction to ask for, which may be beyond full service. @param wanted_Pa  what the dynamic brake leaves to the
+/// air
 double DriverControls::chooseReduction(double wanted_Pa, const Wanted& wanted, const DriverView& view,
                                        const State& state) const {
   const double now_Pa = state.reduction_Pa;
   const double steps = std::round((wanted_Pa - kFirstReduction_Pa) / kReductionStep_Pa);
   const double nearest_Pa = kFirstReduction_Pa + kReductionStep_Pa * steps;
   if (now_Pa == 0.0 && wanted.slack_mps > kApplyBand_mps) return 0.0;
-  if (wanted_Pa > now_Pa + kHysteresis * kReductionStep_Pa)
-    return std::clamp(nearest_Pa, std::max(now_Pa, kFirstReduction_Pa), kFullReduction_Pa);
+  if (wanted_Pa > now_Pa + kHysteresis * kReductionStep_Pa) return std::max({nearest_Pa, now_Pa, kFirstReduction_Pa});
   if (now_Pa == 0.0) return 0.0;
   if (view.speed_mps < kStanding_mps) return wanted.brake_N > 0.0 ? now_Pa : 0.0;
   const bool too_much = wanted.brake_N <= kTooMuch * std::fabs(view.air_brake_N);

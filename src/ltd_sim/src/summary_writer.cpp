@@ -68,24 +68,31 @@ void SummaryWriter::reportLocos(double location_m, double w, const TrainState& b
     row("energy_recovered_rim", "J", between(before.loco_energy[i].recovered_rim, after.loco_energy[i].recovered_rim));
     row("energy_shoes", "J", between(before.loco_energy[i].shoes, after.loco_energy[i].shoes));
     const PowerSupply& supply = scenario_.train.supplies[scenario_.train.locomotives[i].type];
-    if (!supply.exists()) continue;
-    const PowerSupply::State &b = before.supply[i], &a = after.supply[i];
-    if (supply.hasEngine()) {
-      row("energy_fuel", "J", between(b.fuel_J, a.fuel_J));
-      row("fuel", "l", between(supply.computeLitres(b), supply.computeLitres(a)));
-    }
-    if (supply.hasLine()) {
-      row("energy_line_drawn", "J", between(b.line_drawn_J, a.line_drawn_J));
-      row("energy_line_returned", "J", between(b.line_returned_J, a.line_returned_J));
-    }
-    if (supply.hasStorage()) {
-      row("energy_storage_in", "J", between(b.storage_in_J, a.storage_in_J));
-      row("energy_storage_out", "J", between(b.storage_out_J, a.storage_out_J));
-      row("energy_stored", "J", between(b.stored_J, a.stored_J));
-    }
-    row("energy_auxiliaries", "J", between(b.auxiliaries_J, a.auxiliaries_J));
-    row("energy_to_resistors", "J", between(b.to_resistors_J, a.to_resistors_J));
+    if (supply.exists()) reportSupply(supply, before.supply[i], after.supply[i], w, row);
   }
+}
+
+void SummaryWriter::reportSupply(const PowerSupply& supply, const PowerSupply::State& b, const PowerSupply::State& a,
+                                 double w, const RowOf& row) {
+  const auto between = [w](double before, double after) { return before + w * (after - before); };
+  if (supply.hasEngine()) {
+    row("energy_fuel", "J", between(b.fuel_J, a.fuel_J));
+    row("fuel", "l", between(supply.computeLitres(b), supply.computeLitres(a)));
+  }
+  if (supply.hasLine()) {
+    row("energy_line_drawn", "J", between(b.line_drawn_J, a.line_drawn_J));
+    row("energy_line_returned", "J", between(b.line_returned_J, a.line_returned_J));
+  }
+  if (supply.hasStorage()) {
+    row("energy_storage_in", "J", between(b.storage_in_J, a.storage_in_J));
+    row("energy_storage_out", "J", between(b.storage_out_J, a.storage_out_J));
+    row("energy_stored", "J", between(b.stored_J, a.stored_J));
+  }
+  row("energy_auxiliaries", "J", between(b.auxiliaries_J, a.auxiliaries_J));
+  row("energy_to_resistors", "J", between(b.to_resistors_J, a.to_resistors_J));
+  row("energy_unserved", "J", between(b.unserved_J, a.unserved_J));
+  row("energy_overload", "J", between(b.overload_J, a.overload_J));
+  row("energy_supply_residual", "J", between(b.residual(), a.residual()));
 }
 
 void SummaryWriter::runRow(const std::string& quantity, const std::string& unit, double value) {

@@ -1,5 +1,8 @@
 #include "ltd_sim/timeseries_writer.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "rail_core/constants.hpp"
 
 namespace ltd {
@@ -15,7 +18,9 @@ TimeseriesWriter::TimeseriesWriter(const Scenario& scenario, const std::string& 
 void TimeseriesWriter::onStart(const TrainState& state) {
   const std::size_t lead = scenario_.train.locomotives.front().vehicle;
   Told told;
-  told.speed_limit_mps = scenario_.track.at(state.s_m[lead]).speed_limit_mps;
+  told.speed_limit_mps = std::numeric_limits<double>::infinity();
+  for (const double s_m : state.s_m)
+    told.speed_limit_mps = std::min(told.speed_limit_mps, scenario_.track.at(s_m).speed_limit_mps);
   told.pipe_pressure_Pa =
       scenario_.air_brake.present() ? scenario_.air_brake.pipePressure(lead, state.air) : kChargedPipe_Pa;
   writeRow(state, told);
@@ -53,10 +58,9 @@ void TimeseriesWriter::writeRow(const TrainState& state, const Told& told) {
              allDigits(state.v_mps[lead]), std::to_string(told.notch), allDigits(state.traction_N.front()),
              allDigits(force_N), allDigits(power_W), allDigits(state.account.traction_rail),
              allDigits(state.account.traction_rim), allDigits(draft_.force_N), coupler(draft_),
-             allDigits(0.0 - buff_.force_N), coupler(buff_), allDigits(told.speed_limit_mps),
+             allDigits(0.0 - buff_.force_N), /* 0 - x: 0, not -0 */ coupler(buff_), allDigits(told.speed_limit_mps),
              std::to_string(told.brake_notch), allDigits(told.pipe_pressure_Pa / kPascalsPerBar),
-             allDigits(told.air_brake_N), allDigits(state.account.brake_rail),
-             allDigits(state.account.recovered_rim)});  // 0 - x: of nothing it makes 0, not -0
+             allDigits(told.air_brake_N), allDigits(state.account.brake_rail), allDigits(state.account.recovered_rim)});
   draft_ = {};
   buff_ = {};
 }

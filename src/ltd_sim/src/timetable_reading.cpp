@@ -68,15 +68,19 @@ void TimetableDriver::readHabits(rail::YamlReader& reader) {
 void TimetableDriver::readLine(rail::YamlReader& reader, const rail::Track& track) {
   line_ = TimetableLine(track, ability_, deceleration_mps2_, margin_mps_);
   if (line_.smallestSpeed() <= 0.0) reader.refuse("limit_margin_kmph", "must be below the line's lowest speed limit");
+  if (ability_.full_service_N && ability_.first_reduction_Pa > DriverControls::kFirstReduction_Pa)
+    reader.refuse("kind",
+                  "applies the air brake and holds at stops with 0.5 bar: air_brake.valve.first_reduction_bar " +
+                      allDigits(ability_.first_reduction_Pa / kPascalsPerBar) + " must not be larger");
   double least_N = ability_.full_service_N ? ability_.full_service_N(0.0) : 0.0;
   for (double v = 0.0; v <= line_.largestSpeed() && least_N > 0.0; v += 1.0)
     least_N = std::min(least_N, ability_.full_service_N(v));
   const double steepest = std::min(0.0, track.smallestGrade());
   const double brakes_mps2 = (least_N + ability_.weight_N * steepest) / ability_.mass_kg;
   if (deceleration_mps2_ > brakes_mps2)
-    reader.refuse(
-        "service_deceleration_mps2",
-        "must not be above what full service gives on the line's steepest descent, " + allDigits(brakes_mps2));
+    reader.refuse("service_deceleration_mps2",
+                  "must not be above what full service gives on the line's steepest descent, " +
+                      allDigits(brakes_mps2) + " m/s2");
 }
 
 TimetableDriver TimetableDriver::read(rail::YamlReader& reader, const rail::Track& track, const TrainAbility& ability) {

@@ -67,12 +67,15 @@ TrainAbility computeAbility(const TrainModel& train_model, const AirBrake& air_b
       return brake.computeForce(std::min(notch, brake.notches()), v_mps);
     });
   };
-  if (air->present())
+  if (air->present()) {
+    ability.first_reduction_Pa = air->firstReduction();
+    ability.full_service_reduction_Pa = kChargedPipe_Pa - air->fullServicePressure();
     ability.full_service_N = [train, air, applied](double v_mps) {
       double sum_N = 0.0;
       for (std::size_t i = 0; i < train->vehicles.size(); ++i) sum_N += air->shoeForce(i, v_mps, *applied);
       return sum_N;
     };
+  }
   ability.resistance_N = [train](double v_mps) {
     double sum_N = 0.0;
     for (const rail::Vehicle& vehicle : train->vehicles) sum_N += computePropulsionResistance(vehicle, v_mps);

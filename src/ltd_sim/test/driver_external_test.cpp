@@ -55,6 +55,43 @@ TEST(DriverExternalTest, ARefusedAnswerIsNamedAndChangesNothing) {
   EXPECT_TRUE(state.given == DriverCommand{});
 }
 
+/// Answers notch 1 to the first questions and then nothing.
+class MutePort : public ltd::DriverPort {
+ public:
+  explicit MutePort(int answers) : answers_(answers) {}
+  void ask(std::uint64_t, const ltd::DriverView&) override { ++asked_; }
+  const DriverCommand* answer() override { return asked_ <= answers_ ? &command_ : nullptr; }
+  void refuse(const std::string&) override {}
+  double deadline_s() const override { return asked_ > 1 ? 3.0 : 60.0; }
+  bool silent() override { return true; }
+
+ private:
+  int answers_, asked_ = 0;
+  DriverCommand command_{1, 0, ltd::kChargedPipe_Pa, 0.0, false, false};
+};
+
+std::vector<std::string> notesOfASilentDriver(int answers) {
+  ltd::Scenario scenario = fixtures::makeScenario(
+      fixtures::makeTrain({fixtures::paperLoco(), fixtures::paperWagon()}, {0}, fixtures::draftGear()),
+      fixtures::makeTrack(), drivers::read(kExternal));
+  scenario.run.end_time = 2 * kSecond;
+  fixtures::Fleet fleet(scenario);
+  MutePort port(answers);
+  ltd::Cosimulation cosimulation(scenario, fleet.ports, {}, &port);
+  fixtures::runToEnd(cosimulation);
+  EXPECT_EQ(cosimulation.state().driver.lead.notch, 0);
+  EXPECT_EQ(cosimulation.state().driver.lead.pipe_pressure_Pa, 3.5e5);
+  return cosimulation.outcome().notes;
+}
+
+TEST(DriverExternalTest, OfASilentDriverTheQuestionIsToldAndTheDeadlineThatHeldForIt) {
+  const std::vector<std::string> never = notesOfASilentDriver(0), later = notesOfASilentDriver(2);
+  ASSERT_EQ(never.size(), 1u);
+  ASSERT_EQ(later.size(), 1u);
+  EXPECT_TRUE(fixtures::contains(never[0], "no answer within 60 s to the question of 0.000 s")) << never[0];
+  EXPECT_TRUE(fixtures::contains(later[0], "no answer within 3 s to the question of 1.000 s")) << later[0];
+}
+
 TEST(DriverExternalReadTest, RefusesAPeriodThatIsNoMultipleOfTheMacroStepAndOtherFaults) {
   const std::string rest = "answer_deadline_s: 3\non_silence: {pipe_bar: 3.5}\n";
   expectFault("kind: external\nperiod_s: 0.003\n" + rest, {"period_s = 0.003", "multiple of steps.macro_step_s"});

@@ -55,7 +55,8 @@ TEST(LocoAnswersTest, SynchronisationCheckFailsALocomotiveWhoseSpeedIsNotLtds) {
   const OddRun end = runOddly([](loco::LocoTraction& answer) { answer.speed_mps += 2e-9; });
   EXPECT_EQ(end.outcome.kind, Kind::kFailed);
   EXPECT_TRUE(fixtures::contains(end.outcome.reason, "loco_2: its speed differs from LTD's by 2e-09 m/s"));
-  EXPECT_TRUE(fixtures::contains(end.outcome.reason, "synchronisation_tolerance 1e-09")) << end.outcome.reason;
+  EXPECT_TRUE(fixtures::contains(end.outcome.reason, "(lock.synchronisation_tolerance_mps 1e-09)"))
+      << end.outcome.reason;
   EXPECT_TRUE(fixtures::contains(end.outcome.reason, "in step 100 at 3.000 km")) << end.outcome.reason;
   EXPECT_EQ(end.steps, 100u);  // the faulty step is not committed
 }

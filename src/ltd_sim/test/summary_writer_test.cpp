@@ -4,6 +4,7 @@
 
 #include "hand_made_run.hpp"
 #include "scratch_directory.hpp"
+#include "supply_texts.hpp"
 
 namespace {
 
@@ -71,6 +72,30 @@ TEST_F(SummaryWriterTest, InterpolatesLinearlyInPlaceForEveryLocomotive) {
                                      {"1d", "4", "energy_recovered_rim", "J", "3.0025", "256"},
                                      {"1d", "4", "energy_shoes", "J", "3.0025", "512"}};
   EXPECT_EQ(locoRows(), expected);
+}
+
+TEST_F(SummaryWriterTest, OfASupplyItShowsWhatNobodyGaveAndWhatTheChainDoesNotExplain) {
+  const std::string text = fixtures::supplyHead("storage") + fixtures::storageText();
+  const ltd::PowerSupply battery =
+      fixtures::readMap(text, [](rail::YamlReader reader) { return ltd::PowerSupply::read(reader, 0.0); });
+  for (ltd::PowerSupply& supply : run_.scenario.train.supplies) supply = battery;
+  run_.scenario.output.report_locations_m = {3002.5};
+  ltd::SummaryWriter writer(run_.scenario, path("summary.csv"));
+  run_.start(writer);
+  ltd::TrainState next = run_.state;
+  next.s_m[1] += 10.0;
+  next.supply[0].motored_rim_J = 400.0;
+  next.supply[0].unserved_J = 160.0;
+  next.supply[0].overload_J = 8.0;
+  run_.stepTo(writer, next);
+  writer.onEnd(run_.state, {});
+  std::map<std::string, std::string> of_first;
+  for (const Row& row : locoRows())
+    if (row[1] == "2") of_first[row[2] + " " + row[3]] = row[5];
+  EXPECT_EQ(of_first["energy_unserved J"], "40");
+  EXPECT_EQ(of_first["energy_overload J"], "2");
+  EXPECT_EQ(of_first["energy_supply_residual J"], "-60");  // (F12): a quarter of 160 - 400
+  EXPECT_EQ(of_first.count("energy_fuel J"), 0u);
 }
 
 TEST_F(SummaryWriterTest, ReportsEveryLocationOnceHoweverManyLieInAStepAndNoneThatIsNotReached) {

@@ -54,6 +54,17 @@ TEST_F(TimeseriesWriterTest, ShowsTheLeadingLocomotiveAndTheSumsOverAllOfThem) {
                           "2", "4.5", "-1000", "500", "250"}));
 }
 
+TEST_F(TimeseriesWriterTest, ShowsAtTheStartTooTheLowestLimitUnderTheTrainNotTheLocomotives) {
+  run_.scenario.track = fixtures::readMap(
+      "{name: test line, start_km: 0, end_km: 10, grades: [{from_km: 0, grade_permille: 0}], curves: [], "
+      "speed_limits: [{from_km: 0, limit_kmph: 36}, {from_km: 2.97, limit_kmph: 72}]}",
+      rail::Track::read);  // the last vehicle is at 2.963 km, the leading locomotive at 3 km
+  ltd::TimeseriesWriter writer(run_.scenario, path("timeseries.csv"));
+  run_.start(writer);
+  writer.onEnd(run_.state, {});
+  EXPECT_EQ(cells("timeseries.csv")[1][13], "10");
+}
+
 TEST_F(TimeseriesWriterTest, ShowsTheLargestDraftAndBuffSinceTheRowBeforeWithTheirCouplers) {
   ltd::TimeseriesWriter writer(run_.scenario, path("timeseries.csv"));
   run_.start(writer);

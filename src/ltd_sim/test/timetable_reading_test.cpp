@@ -44,6 +44,12 @@ TEST(TimetableReadTest, RefusesHabitsThatLineOrTrainForbid) {
               {"service_deceleration_mps2 = 0.51", "steepest descent, 0.5019"});
 }
 
+TEST(TimetableReadTest, RefusesValvesThatHisFirstReductionDoesNotMove) {
+  ltd::TrainAbility can = drivers::ability();
+  can.first_reduction_Pa = 0.6e5;
+  expectFault(kPoints + kHabits, {"kind = timetable", "0.5 bar", "first_reduction_bar 0.6 must not be larger"}, can);
+}
+
 TEST(TimetableReadTest, RefusesATrainWithoutBrakesOrUnknown) {
   ltd::TrainAbility can = drivers::ability();
   can.full_service_N = nullptr;

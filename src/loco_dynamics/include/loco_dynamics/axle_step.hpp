@@ -24,7 +24,7 @@ struct AxleStep {
 
   /// @param torque_N_m  on the wheelset, without shoes and contact
   /// @param turning_radps  of the wheelset against its frame, at the start of the step
-  /// @return torque of the shoes, which stops this turning if it can, with the creep force that it leaves      (B2)
+  /// @return torque of the shoes, which stops this turning if it can, with the creep force that it leaves      (P3)
   double shoeTorque(double torque_N_m, double turning_radps, double largest_N_m) const {
     if (!(largest_N_m > 0.0)) return 0.0;
     const double free_N_m = J * turning_radps / h + torque_N_m;

@@ -19,7 +19,7 @@ struct BodyState {
 };
 
 /// Equations of motion of a locomotive's bodies with a layout's degrees of freedom, and their integration by
-/// semi-implicit Euler: (B1)
+/// semi-implicit Euler: (I1)
 ///   v_n+1 = v_n + h loads / inertia,   q_n+1 = q_n + h v_n+1
 /// Constant but for scratch memory.
 class BodyDynamics {
@@ -45,7 +45,7 @@ class BodyDynamics {
   /// Adds gravity (straight down) and the suspension's forces at this state; see addSuspensionForces for damper_x_m.
   void addInnerForces(BodyState& state, double h, BodyVector& loads, const Placement& placement = {});
 
-  /// Takes the step (B1). @return empty, or the body and degree of freedom whose velocity is not a number, or that is
+  /// Takes the step (I1). @return empty, or the body and degree of freedom whose velocity is not a number, or that is
   /// more than 1 m or 1 rad from its place
   std::string step(const BodyVector& loads, double h, BodyState& state) const;
 

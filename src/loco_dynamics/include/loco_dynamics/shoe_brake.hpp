@@ -6,7 +6,7 @@
 namespace loco {
 
 /// Dry friction of brake shoes: it opposes the motion with all it has, and what would come to rest within the step it
-/// brings to rest and holds there.                                                                           (B2)
+/// brings to rest and holds there.                                                                           (P3)
 ///   F = -clamp(F_stop, -F_max, F_max)
 /// @param stopping_N  F_stop: what must be taken away so that the motion ends with this step [N or N m], + forward
 /// @param largest_N  F_max, >= 0

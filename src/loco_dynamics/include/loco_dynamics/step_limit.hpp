@@ -21,7 +21,7 @@ struct StepLimit {
   double largest_s() const { return kStepShare * stable_s; }
 };
 
-/// Largest factor by which a motion grows in one step of semi-implicit Euler, (B1) with (S2) implicit; 1 is neutral.
+/// Largest factor by which a motion grows in one step of semi-implicit Euler, (I1) with (S2) implicit; 1 is neutral.
 /// (L3)
 double computeSpectralRadius(const LinearModel& model, double step_s);
 

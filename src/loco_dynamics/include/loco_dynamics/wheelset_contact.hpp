@@ -85,7 +85,7 @@ class WheelsetContact {
     double largest_N_m = 0.0;    ///< torque that they can take, >= 0
     double turning_radps = 0.0;  ///< of the wheelset against the frame that carries them
   };
-  /// Makes the creep forces implicit (W5) and adds all forces to the loads, with them those of the shoes (B2).
+  /// Makes the creep forces implicit (W5) and adds all forces to the loads, with them those of the shoes (P3).
   /// @param inertia  of the wheelset: masses and moments of inertia
   /// @return torque of the shoes on the wheelset [N m]
   static double addForces(const Vector6& inertia, double h, Contacts& contacts, Vector6& load, const Shoes& shoes);

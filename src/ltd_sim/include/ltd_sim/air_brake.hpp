@@ -42,6 +42,9 @@ class AirBrake {
   /// Pressure in the pipe that asks for full service, over the atmosphere [Pa].
   double fullServicePressure() const { return pipe_.parameters().full_service_Pa; }
 
+  /// Reduction of the pipe from which the vehicles' valves apply [Pa].
+  double firstReduction() const { return distributor_.firstReduction(); }
+
   State initialState() const;
 
   /// Advances the brake from t to t + H with the command held. H must be the same in all steps. Allocates in the

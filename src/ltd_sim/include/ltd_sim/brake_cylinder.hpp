@@ -4,9 +4,6 @@
 
 namespace ltd {
 
-/// 1 bar [Pa]: brake pressures are given in bar in files. All of them are over the atmosphere.
-inline constexpr double kPascalPerBar = 1e5;
-
 /// One vehicle's brake cylinder: it follows the pressure that its valve asks for, at limited rates.       (B5)
 ///   filling    0.95 p_full / t_fill           t_fill: from empty to 95 % of the full pressure
 ///   releasing  (p_full - 0.4 bar) / t_release t_release: from full to 0.4 bar

@@ -8,6 +8,7 @@ namespace ltd {
 
 /// Pressure of a charged brake pipe, over the atmosphere [Pa]. Source: UIC 540.
 inline constexpr double kChargedPipe_Pa = 5.0e5;
+/// Brake pressures are in bar in files, all of them over the atmosphere.
 inline constexpr double kPascalsPerBar = 1.0e5;
 
 /// What a driver asks of the train; held until the next command.

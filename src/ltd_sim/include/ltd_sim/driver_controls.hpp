@@ -25,6 +25,9 @@ class DriverControls {
     double reduction_Pa = 0.0;  ///< of the pipe, from charged
   };
 
+  /// The least that he takes from the pipe. UIC 540: it moves every distributor for certain.
+  static constexpr double kFirstReduction_Pa = 0.5e5;
+
   /// What the driver wants of the train now.
   struct Wanted {
     double traction_N = 0.0;  ///< at the rail, <= 0: none

@@ -17,7 +17,9 @@ class DriverPort {
   virtual const DriverCommand* answer() = 0;
   /// The answer cannot be obeyed and counts as none.
   virtual void refuse(const std::string& why) = 0;
-  /// True if the answer's deadline has passed.
+  /// Wall time that the answer asked for may take [s]; the first one's may differ.
+  virtual double deadline_s() const = 0;
+  /// True if this deadline has passed.
   virtual bool silent() = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "ltd_sim/csv_file.hpp"
@@ -10,9 +11,10 @@
 namespace ltd {
 
 /// summary.csv, long form: model,vehicle,quantity,unit,location_km,value. For every locomotive at every report location
-/// (place of the leading locomotive): traction_force, speed, time, energy_rail, energy_rim, energy_slip, interpolated
-/// linearly in place between the two steps around it. Once per run, without vehicle and place: the energy account of
-/// the whole train and its residual, final values, and the real-time factor (wall time, so never the same twice).
+/// (place of the leading locomotive): traction_force, speed, time, energies at rail and rim, of slip, brakes and
+/// shoes and, with a supply, behind the rim, interpolated linearly in place between the two steps around it. Once per
+/// run, without vehicle and place: the energy account of the whole train and its residual, final values, and the
+/// real-time factor (wall time, so never the same twice).
 class SummaryWriter : public RunObserver {
  public:
   SummaryWriter(const Scenario& scenario, const std::string& path);
@@ -22,6 +24,9 @@ class SummaryWriter : public RunObserver {
 
  private:
   void reportLocos(double location_m, double w, const TrainState& before, const TrainState& after);
+  using RowOf = std::function<void(const char* quantity, const char* unit, double value)>;
+  static void reportSupply(const PowerSupply& supply, const PowerSupply::State& before, const PowerSupply::State& after,
+                           double w, const RowOf& row);
   void runRow(const std::string& quantity, const std::string& unit, double value);
   void noteStepUse(const TrainForces& forces);
   double realTimeFactor() const;

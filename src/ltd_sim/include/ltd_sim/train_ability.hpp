@@ -20,6 +20,8 @@ struct TrainAbility {
   std::function<double(int notch, double v_mps)> traction_N;             ///< at the rail
   std::function<double(int brake_notch, double v_mps)> dynamic_brake_N;  ///< may be empty without brake notches
   std::function<double(double v_mps)> full_service_N;  ///< air brake after a full service reduction; empty: none
+  double first_reduction_Pa = 0.4e5;                   ///< of the pipe, a smaller one applies nothing; chosen
+  double full_service_reduction_Pa = 1.5e5;            ///< of the pipe, for full service; UIC 540: down to 3.5 bar
   std::function<double(double v_mps)> resistance_N;    ///< on straight, level track; empty: none
 };
 

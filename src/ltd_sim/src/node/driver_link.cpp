@@ -34,6 +34,7 @@ void DriverLink::close() { subscriber_.shutdown(); }
 
 void DriverLink::ask(std::uint64_t step, const DriverView& view) {
   answer_.reset();
+  refused_.clear();
   asked_ = true;
   asked_at_s_ = sent_at_s_ = wallNow();
   toMsg(run_id_, step, view, question_);
@@ -47,9 +48,16 @@ void DriverLink::refuse(const std::string& why) {
   answer_.reset();
 }
 
+std::string DriverLink::refusal() const {
+  if (refused_.empty()) return {};
+  return "the driver's answer to step " + std::to_string(question_.step) + " was refused: " + refused_;
+}
+
 double DriverLink::waited_s() const { return wallNow() - asked_at_s_; }
 
-bool DriverLink::silent() { return waited_s() > (answered_once_ ? answer_deadline_s_ : first_deadline_s_); }
+double DriverLink::deadline_s() const { return answered_once_ ? answer_deadline_s_ : first_deadline_s_; }
+
+bool DriverLink::silent() { return waited_s() > deadline_s(); }
 
 std::string DriverLink::take(const train_msgs::DriverCommand& msg) {
   if (!asked_ || msg.run_id != run_id_ || msg.step != question_.step)

@@ -30,10 +30,13 @@ class DriverLink : public DriverPort {
   void ask(std::uint64_t step, const DriverView& view) override;
   const DriverCommand* answer() override;
   void refuse(const std::string& why) override;
+  double deadline_s() const override;
   bool silent() override;
 
   /// Takes what came in. @return empty, or why it does not count
   std::string take(const train_msgs::DriverCommand& msg);
+  /// In words, if his last answer to this question was refused; else empty.
+  std::string refusal() const;
   /// Asks again, if it is time.
   void tick();
   /// In words, if he has kept the run waiting for longer than that; else empty.
@@ -47,7 +50,7 @@ class DriverLink : public DriverPort {
   bool asked_ = false, answered_once_ = false;
   double asked_at_s_ = 0.0, sent_at_s_ = 0.0;  ///< wall time
   std::optional<DriverCommand> answer_;
-  std::string refused_;  ///< why the last answer did not count
+  std::string refused_;  ///< why the last answer to this question did not count
   train_msgs::DriverView question_;
 
   loco::ImmediateQueue queue_;

@@ -115,6 +115,8 @@ void LtdNode::onDriver(const train_msgs::DriverCommand& msg) {
   const std::string why = driver_->take(msg);
   if (!why.empty()) sayOnce("a message on /train/driver does not count: " + why);
   if (advance()) news_.notify_one();
+  const std::string refusal = driver_->refusal();
+  if (!refusal.empty()) sayOnce(refusal);
 }
 
 /// Who keeps the run waiting, in words; empty: nobody.

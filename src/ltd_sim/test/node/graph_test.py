@@ -119,9 +119,9 @@ class GraphTest(unittest.TestCase):
         self.assertAlmostEqual(wheelset.transform.translation.x, 6.645 + 1.85, delta=0.01)
         self.assertAlmostEqual(wheelset.transform.translation.z, 0.5335, delta=0.001)
 
-    def start_external(self, overrides):
+    def start_external(self, overrides, **parameters):
         self.graph.start_master()
-        train = self.graph.start_train(overrides, scenario=EXTERNAL_DRIVER)
+        train = self.graph.start_train(overrides, scenario=EXTERNAL_DRIVER, **parameters)
         for i in (1, 2, 3):
             self.graph.start_loco(i)
         return train
@@ -139,23 +139,26 @@ class GraphTest(unittest.TestCase):
         self.assertEqual(graph_bag, bag_payloads(os.path.join(offline, "external_driver.bag")))
 
     def test_a_driver_who_falls_silent_is_named_and_the_train_comes_to_rest(self):
-        train = self.start_external("driver.answer_deadline_s=1 run.end_at_standstill_s=1")
+        train = self.start_external("driver.answer_deadline_s=2 run.end_at_standstill_s=1", hold="true")
         driver = self.graph.start([program("ltd_sim", "example_driver"), "_notches:=[[0, 1], [4, 0]]"])
-        self.graph.wait_for_text(train, "starts")
+        self.graph.wait_for_text(train, "held at")
+        self.call("RUN_UNTIL_TIME", 2.5)
+        self.graph.wait_for_text(train, "2.500 s, step 1250")  # he has answered, so his own deadline holds
         driver.send_signal(signal.SIGKILL)
-        self.graph.wait_for_text(train, "the driver has not answered")
+        self.call("RUN", 0)
+        self.graph.wait_for_text(train, "the driver has not answered step 1500")
         self.assertEqual(self.graph.wait_for_end(train, 300), 1, self.graph.text(train))
         outcome = outcome_of(self.graph.out)
         self.assertEqual(outcome["outcome"], "failed")
-        self.assertRegex(outcome["reason"], r"driver: no answer within 1 s to the question of .* stands at ")
-        self.assertRegex(outcome["notes"][-1], "driver: no answer within 1 s")
+        self.assertRegex(outcome["reason"], r"driver: no answer within 2 s to the question of 3\.000 s .* stands at ")
+        self.assertRegex(outcome["notes"][-1], "driver: no answer within 2 s")
 
     def test_an_answer_that_cannot_be_obeyed_counts_as_none(self):
         train = self.start_external("driver.answer_deadline_s=1 run.end_time_s=60")
         self.graph.start([program("ltd_sim", "example_driver"), "_notches:=[[0, 1], [2, 9]]"])
-        self.graph.wait_for_text(train, "his last answer was refused: notch 9")
-        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
-        self.assertRegex(outcome_of(self.graph.out)["notes"][0], r"to the question of 2\.000 s")
+        self.graph.wait_for_text(train, "the driver's answer to step 1000 was refused: notch = 9: must be 0 to 8")
+        self.assertEqual(self.graph.wait_for_end(train), 1, self.graph.text(train))  # braked to a stand: he is silent
+        self.assertRegex(outcome_of(self.graph.out)["reason"], r"no answer within 1 s to the question of 2\.000 s")
 
     def test_a_locomotive_killed_in_the_run_and_started_again_leaves_the_bits_alone(self):
         train, locos = self.start_all(SHORT, hold="true")
