@@ -17,7 +17,7 @@ void BM_TrainDynamicsStep(benchmark::State& state) {
                                                       {"track.start_km", "-20"},
                                                       {"track.grades.0.from_km", "-20"},
                                                       {"track.speed_limits.0.from_km", "-20"}});
-  ltd::TrainDynamics dynamics(scenario.train, scenario.track, scenario.driver, scenario.macro_step);
+  ltd::TrainDynamics dynamics(scenario.train, scenario.track, scenario.driver, scenario.air_brake, scenario.macro_step);
   ltd::TrainState train = dynamics.initialState(scenario.run.start_location_m, scenario.run.start_speed_mps);
   ltd::TrainForces forces;
   loco::LocoTraction pulling;
