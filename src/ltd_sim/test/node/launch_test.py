@@ -34,9 +34,7 @@ class LaunchTest(unittest.TestCase):
             told = subprocess.run(command, check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
             for argument in arguments_of(file):
                 name = argument.get("name")
-                with self.subTest(file=file, argument=name):
-                    self.assertNotIn(argument.get("doc"), (None, ""))
-                    self.assertRegex(told, r"(?m)^ +%s( \(default .*\))?: \S" % re.escape(name))
+                self.assertRegex(told, r"(?m)^ +%s( \(default .*\))?: (?!undocumented)\S" % re.escape(name), file)
 
     def test_an_argument_means_the_same_in_every_file(self):
         known = {}
