@@ -146,8 +146,8 @@ class DocsCommandsTest(unittest.TestCase):
                     self.assertEqual(run.returncode, 0, run.stdout)
                     if command.text.startswith("rosservice"):
                         self.assertIn("accepted: True", run.stdout)
-                if "STEP" in command.text:
-                    self.check_names(graph)
+                    if "STEP" in command.text:
+                        self.check_names(graph)
             self.assertEqual(graph.wait_for_end(train), 3, graph.text(train))
 
     def check_names(self, graph):
