@@ -2,7 +2,10 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
+#include <cstdio>
+
 #include "conversions.hpp"
+#include "rail_core/constants.hpp"
 
 namespace ltd {
 
@@ -19,6 +22,11 @@ void StatusPublisher::publish(std::uint8_t phase, const loco::ExchangeId& id, co
   msg.epoch = id.epoch;
   msg.phase = phase;
   msg.reason = cosimulation.outcome().ended() ? cosimulation.outcome().reason : waits_for;
+  if (msg.reason.empty() && phase == train_msgs::TrainStatus::HELD) {
+    char text[48];
+    std::snprintf(text, sizeof text, "holds at %.3f km", cosimulation.leadingLocation() / rail::kMetresPerKilometre);
+    msg.reason = text;
+  }
   msg.notes = cosimulation.outcome().ended() ? cosimulation.outcome().notes : cosimulation.notes();
   msg.step = cosimulation.state().step;
   msg.time = rail::toSeconds(cosimulation.time());

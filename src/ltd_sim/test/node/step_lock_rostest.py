@@ -52,6 +52,7 @@ class StepLockTest(unittest.TestCase):
         self.assertEqual(status.step, 0)
         self.assertEqual(len(status.joined), 3)
         self.assertEqual(sorted(status.incarnation), [1, 2, 3])
+        self.assertEqual(status.reason, "holds at 3.000 km")
         self.assertAlmostEqual(status.location, 3000.0, places=9)
 
     def test_2_step_10_runs_ten_steps_and_holds(self):

@@ -1,4 +1,4 @@
-#include "markers.hpp"
+#include "node/markers.hpp"
 
 #include <gtest/gtest.h>
 

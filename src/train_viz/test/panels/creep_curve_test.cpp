@@ -106,21 +106,24 @@ TEST(CreepCurveTest, KnowsTheRailOfThePlace) {
   EXPECT_LT(curve->computeAdhesion(0.1, {219e3, 8.0, 3250.0, false}), 0.1);
 }
 
-/// Two times (a 2D locomotive, a wagon, a 1D locomotive): whose curve is asked for shows in whether there is one.
+/// Three times (a 2D locomotive, a wagon, a 1D locomotive), then a 2D locomotive: whose curve is asked for shows in
+/// whether there is one.
 TEST(CreepCurveTest, CountsLocomotivesThroughRepeatedGroups) {
   const std::string dir = CONFIG_DIR;
   const std::string loco = "vehicle_file: " + dir + "/locomotives/co_co_134t.yaml";
-  const std::string unit = "{repeat: 2, groups: [{kind: locomotive, " + loco + "}, {kind: wagon, vehicle_file: " + dir +
-                           "/vehicles/wagon_120t.yaml}, {kind: locomotive, locomotive_model: 1d, " + loco + "}]}";
-  const std::string text = resolvedText("paper_2d.yaml", {{"train.groups", "[" + unit + "]"}});
+  const std::string unit =
+      "{repeat: 3, groups: [{kind: locomotive, count: 1, " + loco + "}, {kind: wagon, count: 1, vehicle_file: " + dir +
+      "/vehicles/wagon_120t.yaml}, {kind: locomotive, count: 1, locomotive_model: 1d, " + loco + "}]}";
+  const std::string text =
+      resolvedText("paper_2d.yaml", {{"train.groups", "[" + unit + ", {kind: locomotive, count: 1, " + loco + "}]"}});
   std::string why;
-  for (const int locomotive : {1, 3}) EXPECT_TRUE(CreepCurve::read(text, locomotive, why)) << why;
-  for (const int locomotive : {2, 4}) {
+  for (const int locomotive : {1, 3, 5, 7}) EXPECT_TRUE(CreepCurve::read(text, locomotive, why)) << why;
+  for (const int locomotive : {2, 4, 6}) {
     EXPECT_FALSE(CreepCurve::read(text, locomotive, why));
     EXPECT_NE(why.find("1D"), std::string::npos) << locomotive << ": " << why;
   }
-  EXPECT_FALSE(CreepCurve::read(text, 5, why));
-  EXPECT_NE(why.find("no locomotive 5"), std::string::npos) << why;
+  EXPECT_FALSE(CreepCurve::read(text, 8, why));
+  EXPECT_NE(why.find("no locomotive 8"), std::string::npos) << why;
 }
 
 }  // namespace

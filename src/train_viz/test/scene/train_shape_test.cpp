@@ -55,6 +55,9 @@ TEST_F(TrainShapeTest, OnStraightTrackBodiesStandInLineOverTheirPlaces) {
     EXPECT_GT(X.translation().z(), 1.0) << "up is up";
     EXPECT_TRUE(X.linear().isIdentity(1e-12));
   }
+  const double front_bogie_m = 3000.0 - 22.0 + 6.645;  // of the second locomotive, the first that is not chosen
+  EXPECT_NEAR(shape.bogies[0].X_WB.translation().x(), front_bogie_m, 1e-9);
+  EXPECT_NEAR(shape.bogies[1].X_WB.translation().x(), front_bogie_m - 2.0 * 6.645, 1e-9);
 }
 
 /// In the circular part the centre of every box is 300 m from the circle's centre, and its heading is the tangent.
