@@ -35,7 +35,7 @@ INSTEAD = [
     (r'cmake -S (\S+) -B .*', r'test -f \1/CMakeLists.txt', 'builds; scripts/test.sh does the same'),
     (r'source .*', 'test -n "$CMAKE_PREFIX_PATH"', 'the test runs in this environment'),
     (r'unshare .* roslaunch (.*)\'', r'launch \1', 'containers may forbid it'),
-    (r'roslaunch ltd_sim (.*)', r'launch launch/\1', 'needs an install space; scripts/check.sh runs it from there'),
+    (r'roslaunch ltd_sim (.*)', r'launch launch/\1', 'runs for minutes; scripts/check.sh runs it installed'),
     (r'roslaunch (--.*)', r'roslaunch \1', ''),
     (r'roslaunch (.*)', r'launch \1', 'runs for minutes; launch_test.py and graph_test.py launch'),
     (r'rviz -d FILE', 'test -f config/rviz/train.rviz', 'needs a screen'),

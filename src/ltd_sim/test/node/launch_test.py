@@ -36,6 +36,12 @@ class LaunchTest(unittest.TestCase):
                 name = argument.get("name")
                 self.assertRegex(told, r"(?m)^ +%s( \(default .*\))?: (?!undocumented)\S" % re.escape(name), file)
 
+    def test_roslaunch_finds_the_files_by_the_name_of_the_package(self):
+        for file in FILES:
+            command = ["/usr/bin/roslaunch", "ltd_sim", file, "--files", "scenario:=paper_1d", "locomotives:=3"]
+            found = subprocess.run(command, check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout.split()
+            self.assertTrue(os.path.samefile(found[0], os.path.join(LAUNCH, file)), found)
+
     def test_an_argument_means_the_same_in_every_file(self):
         known = {}
         for file in ("paper.launch", "scenario.launch"):
