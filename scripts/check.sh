@@ -150,7 +150,25 @@ check_colcon() {
       fi
     done
   done
+  check_installed_launch || status=1
   return $status
+}
+
+# In the environment of an install space, called from a folder that knows nothing of the checkout.
+check_installed_launch() {
+  local folder="$check_dir/launched" port layout
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  port=$("$PYTHON" -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])')
+  layout=$(roslaunch --args /rviz ltd_sim rviz.launch) || return 1
+  layout=$(sed 's/.* -d \([^ ]*\).*/\1/' <<< "$layout")
+  [[ -f "$layout" ]] || { echo "rviz.launch finds no layout: $layout"; return 1; }
+  (
+    cd "$folder"
+    export ROS_HOME="$folder/home" ROS_IP=127.0.0.1 ROS_MASTER_URI="http://127.0.0.1:$port"
+    roslaunch -p "$port" ltd_sim paper.launch model:=1d set:='run.end_time_s=2' 2>&1
+  )
+  grep -qx 'outcome: finished' "$folder/results/paper_1d/outcome.yaml" || { echo "paper.launch of the install space did not finish"; return 1; }
 }
 
 wanted=()

@@ -5,6 +5,7 @@
 
 #include "loco_dynamics/loco_factory.hpp"
 #include "rail_core/constants.hpp"
+#include "scenario_names.hpp"
 
 namespace ltd {
 
@@ -227,6 +228,8 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   rail::Problems problems;
   Scenario scenario;
   scenario.file = path;
+  checkScenarioExists(path, problems);
+  problems.throwIfAny();
   scenario.document = rail::Document::load(path, overrides, problems);
   problems.throwIfAny();
 

@@ -47,6 +47,20 @@ class ScenarioFaultTest : public fixtures::ScratchDirectory {
 
 TEST_F(ScenarioFaultTest, TheCopyItselfIsSound) { EXPECT_EQ(faults(), std::vector<std::string>()); }
 
+TEST_F(ScenarioFaultTest, AScenarioThatDoesNotExistIsAnsweredWithThoseThatDo) {
+  EXPECT_EQ(
+      faults({}, "locomotives/bo_bo_8t.yaml"),
+      std::vector<std::string>{"locomotives/bo_bo_8t.yaml: scenario bo_bo_8t does not exist; there are: bo_bo_88t, "
+                               "co_co_134t, co_co_134t_storage"});
+  const std::vector<std::string> lines = faults({}, "scenarios/paper_4d.yaml");
+  ASSERT_EQ(lines.size(), 1u);
+  for (const auto& entry : std::filesystem::directory_iterator(kConfig + "/scenarios"))
+    EXPECT_TRUE(fixtures::contains(lines.front(), entry.path().stem().string())) << lines.front();
+  const std::vector<std::string> nowhere = faults({}, "absent/paper_1d.yaml");
+  ASSERT_EQ(nowhere.size(), 1u);
+  EXPECT_TRUE(fixtures::contains(nowhere.front(), "scenario paper_1d does not exist; there are none in "));
+}
+
 TEST_F(ScenarioFaultTest, RefusesAMisspeltKeyWithTheOneThatWasMeant) {
   replace("config/vehicles/wagon_120t.yaml", "mass_kg:", "mas_kg:");
   EXPECT_EQ(faults(), (std::vector<std::string>{
