@@ -106,4 +106,42 @@ TEST(TrainEnergyTest, RotaryInertiaCountsInTheKineticEnergyAndNotInTheWeight) {
   EXPECT_NEAR(rig.state.account.potential, 9.81 * 0.01 * weight_moment, 1e-4);  // height = 0.01 (s - 0)
 }
 
+/// One step of a lone locomotive at 10 m/s, 10 ms, whose reference and answer are given.
+ltd::TrainState bookedStep(double reference_N, const loco::LocoTraction& answer) {
+  fixtures::Rig rig(fixtures::freeTrain(1, 100e3, fixtures::linearSpring(1e6)), fixtures::makeTrack(), 0.01, 5000.0,
+                    10.0);
+  rig.dynamics.computeForces(rig.state, rig.forces);
+  rig.forces.reference_N[0] = reference_N;
+  rig.dynamics.step(rig.state, rig.forces, {&answer});
+  return rig.state;
+}
+
+TEST(LocoEnergyTest, WorkOfABrakingLocomotiveIsBookedAsItsBrakesNotAsTraction) {
+  loco::LocoTraction answer;
+  answer.traction_N = -50e3, answer.work_rim_J = -4700.0, answer.work_slip_J = 200.0, answer.work_shoes_J = 30.0;
+  const ltd::TrainState state = bookedStep(-50e3, answer);
+  const ltd::LocoEnergy& energy = state.loco_energy[0];
+  EXPECT_NEAR(energy.brake_rail, 50e3 * 0.01 * (10.0 - 0.5 * 50e3 * 0.01 / 100e3), 1e-9);
+  EXPECT_EQ(energy.recovered_rim, 4700.0);
+  EXPECT_EQ(energy.slip, 200.0);
+  EXPECT_EQ(energy.shoes, 30.0);
+  EXPECT_EQ(energy.rail, 0.0);
+  EXPECT_EQ(energy.rim, 0.0);
+  EXPECT_EQ(state.account.brake_rail, energy.brake_rail);
+  EXPECT_EQ(state.account.recovered_rim, 4700.0);
+  EXPECT_EQ(state.account.shoes, 30.0);
+  EXPECT_EQ(state.account.traction_rail, 0.0);
+  EXPECT_EQ(state.account.traction_rim, 0.0);
+}
+
+TEST(LocoEnergyTest, WorkOfADrivingLocomotiveIsTraction) {
+  loco::LocoTraction answer;
+  answer.traction_N = 50e3, answer.work_rim_J = 5300.0;
+  const ltd::TrainState state = bookedStep(50e3, answer);
+  EXPECT_GT(state.loco_energy[0].rail, 5000.0);
+  EXPECT_EQ(state.loco_energy[0].rim, 5300.0);
+  EXPECT_EQ(state.loco_energy[0].brake_rail, 0.0);
+  EXPECT_EQ(state.loco_energy[0].recovered_rim, 0.0);
+}
+
 }  // namespace
