@@ -4,6 +4,18 @@
 
 namespace ltd {
 
+namespace {
+
+constexpr int kMostJobs = 999;
+
+/// @return 0 if it is no such number
+int readJobs(const std::string& text) {
+  if (text.empty() || text.size() > 3 || text.find_first_not_of("0123456789") != std::string::npos) return 0;
+  return std::stoi(text);
+}
+
+}  // namespace
+
 std::vector<std::string> splitValues(const std::string& text) {
   std::vector<std::string> values(1);
   int depth = 0;
@@ -33,10 +45,16 @@ std::string OfflineArguments::parse(const std::vector<std::string>& arguments) {
       help = true;
     } else if (a == "--no-bag") {
       bag = false;
-    } else if (a == "--out" || a == "--set") {
+    } else if (a == "--out" || a == "--set" || a == "--jobs") {
       if (++i == arguments.size()) return a + ": needs a value after it";
       if (a == "--out") {
         out = arguments[i];
+        continue;
+      }
+      if (a == "--jobs") {
+        jobs = readJobs(arguments[i]);
+        if (jobs == 0)
+          return "--jobs " + arguments[i] + ": must be a whole number from 1 to " + std::to_string(kMostJobs);
         continue;
       }
       const std::size_t equals = arguments[i].find('=');

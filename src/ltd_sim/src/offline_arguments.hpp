@@ -14,6 +14,7 @@ struct OfflineArguments {
   std::string out;
   bool bag = true;
   bool help = false;
+  int jobs = 1;  ///< runs of a sweep beside each other
   /// Keys in the order of their first --set, with all values given for each.
   std::vector<std::pair<std::string, std::vector<std::string>>> sets;
 

@@ -39,6 +39,10 @@ TEST(OfflineArgumentsTest, TellsWhatIsWrong) {
   EXPECT_EQ(fault({"s.yaml", "--out", "d", "--set", "=1"}), "--set =1: must read key=value");
   EXPECT_EQ(fault({"s.yaml", "--outt", "d"}), "--outt: unknown option");
   EXPECT_EQ(fault({"s.yaml", "t.yaml", "--out", "d"}), "t.yaml: one scenario at a time (the first was s.yaml)");
+  EXPECT_EQ(fault({"s.yaml", "--out", "d", "--jobs", "3"}), "");
+  for (const char* jobs : {"0", "-1", "2.5", "", "1000", "all"})
+    EXPECT_EQ(fault({"s.yaml", "--out", "d", "--jobs", jobs}),
+              std::string("--jobs ") + jobs + ": must be a whole number from 1 to 999");
   EXPECT_EQ(fault({"--help"}), "");
 }
 
@@ -197,6 +201,25 @@ TEST_F(RunOfflineTest, TheBagFactoryMakesAnObserverForEachRunUnlessToldNotTo) {
   EXPECT_EQ(ltd::runOffline(words, factory), 0);
   ::testing::internal::GetCapturedStdout();
   EXPECT_EQ(steps, 1500);
+}
+
+TEST_F(RunOfflineTest, ASweepsRunsBesideEachOtherLeaveTheSameRowsInTheSameOrder) {
+  const Words sweep = {"--set", "run.end_time_s=9,1,5,2,7,3"};
+  EXPECT_EQ(offline(sweep), 0);
+  const std::string alone = read("out/sweep.csv"), alone_said = said_;
+  std::filesystem::remove_all(path("out"));
+  Words beside = sweep;
+  beside.insert(beside.end(), {"--jobs", "3"});
+  EXPECT_EQ(offline(beside), 0);
+  EXPECT_EQ(read("out/sweep.csv"), alone);
+  EXPECT_EQ(said_, alone_said);
+}
+
+TEST_F(RunOfflineTest, WhatIsWrongWithARunBesideOthersIsTold) {
+  std::filesystem::create_directories(path("out"));
+  write("out/002", "a file");
+  EXPECT_EQ(offline({"--set", "run.end_time_s=1,2,3,4", "--jobs", "2"}), 1);
+  EXPECT_TRUE(fixtures::contains(complained_, "002")) << complained_;
 }
 
 }  // namespace
