@@ -1,5 +1,7 @@
 #include "train_viz/train_shape.hpp"
 
+#include <cmath>
+
 #include "train_viz/colour_scale.hpp"
 
 namespace viz {
@@ -26,37 +28,58 @@ constexpr Colour kBogie{0.16, 0.16, 0.18, 1.0};
 constexpr Colour kGlassBogie{0.3, 0.3, 0.35, 0.25};
 constexpr Colour kGlassWheel{0.55, 0.58, 0.62, 0.35};
 
-Box boxOn(const rail::WorldTrack& world, double s_m, double length_m, double width_m, double bottom_m, double top_m,
+/// @param X_WT  frame on the rail tops below it
+Box boxOn(const Eigen::Isometry3d& X_WT, double length_m, double width_m, double bottom_m, double top_m,
           const Colour& colour) {
   Box box;
-  box.X_WB = frameOf(world.at(s_m)) * Eigen::Translation3d(0.0, 0.0, 0.5 * (bottom_m + top_m));
+  box.X_WB = X_WT * Eigen::Translation3d(0.0, 0.0, 0.5 * (bottom_m + top_m));
   box.size_m = Eigen::Vector3d(length_m, width_m, top_m - bottom_m);
   box.colour = colour;
   return box;
 }
 
+/// The frame of a body on the rail tops: x along the chord from the rear bogie's place to the front one's, upright as
+/// the line is at both, origin where the CoG is between them.
+Eigen::Isometry3d chordFrame(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m) {
+  const double front_m = vehicle.bogies.front().x_m, rear_m = vehicle.bogies.back().x_m;
+  const Eigen::Isometry3d X_WF = frameOf(world.at(s_m + front_m)), X_WR = frameOf(world.at(s_m + rear_m));
+  const Eigen::Vector3d chord = X_WF.translation() - X_WR.translation();
+  const Eigen::Vector3d x = chord.normalized();
+  const Eigen::Vector3d y = (X_WF.linear().col(2) + X_WR.linear().col(2)).cross(x).normalized();
+  Eigen::Isometry3d X_WT = Eigen::Isometry3d::Identity();
+  X_WT.translation() = X_WR.translation() - rear_m / (front_m - rear_m) * chord;
+  X_WT.linear() << x, y, x.cross(y);
+  return X_WT;
+}
+
 Box bodyOf(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, bool chosen) {
   const Colour colour = !vehicle.locomotive ? kWagon : chosen ? kChosenLoco : kLoco;
-  return boxOn(world, s_m, vehicle.length_m - kBodyGap_m, kWidth_m, kFloor_m,
+  return boxOn(chordFrame(vehicle, world, s_m), vehicle.length_m - kBodyGap_m, kWidth_m, kFloor_m,
                vehicle.locomotive ? kLocoTop_m : kWagonTop_m, colour);
 }
 
 Box bogieOf(const BogieOutline& bogie, const rail::WorldTrack& world, double s_m, const Colour& colour) {
   const double wheelbase_m = bogie.axles_m.empty() ? 0.0 : bogie.axles_m.front() - bogie.axles_m.back();
-  return boxOn(world, s_m + bogie.x_m, wheelbase_m + kBogieEnds_m, kBogieWidth_m, kBogieBottom_m, kFloor_m, colour);
+  return boxOn(frameOf(world.at(s_m + bogie.x_m)), wheelbase_m + kBogieEnds_m, kBogieWidth_m, kBogieBottom_m, kFloor_m,
+               colour);
 }
 
-void addChosenBogies(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, Triangles& triangles) {
+/// A wheelset: a cylinder's z is the axle's y.
+void addWheelset(const Eigen::Isometry3d& X_WT, double wheel_radius_m, std::vector<Cylinder>& wheels) {
+  const Eigen::Isometry3d X_WA =
+      X_WT * Eigen::Translation3d(0.0, 0.0, wheel_radius_m) * Eigen::AngleAxisd(-0.5 * M_PI, Eigen::Vector3d::UnitX());
+  wheels.push_back({X_WA, {2.0 * kAxleRadius_m, 2.0 * kAxleRadius_m, rail::kCantBaseline_m}, kGlassWheel});
+  for (const double side : {0.5, -0.5})
+    wheels.push_back({X_WA * Eigen::Translation3d(0.0, 0.0, side * rail::kCantBaseline_m),
+                      {2.0 * wheel_radius_m, 2.0 * wheel_radius_m, kWheelWidth_m},
+                      kGlassWheel});
+}
+
+void addChosenBogies(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, TrainShape& shape) {
   for (const BogieOutline& bogie : vehicle.bogies) {
-    triangles.add(bogieOf(bogie, world, s_m, kGlassBogie));
-    for (const double x_m : bogie.axles_m) {
-      const Eigen::Isometry3d X_WA =
-          frameOf(world.at(s_m + x_m)) * Eigen::Translation3d(0.0, 0.0, vehicle.wheel_radius_m);
-      triangles.addCylinder(X_WA, kAxleRadius_m, rail::kCantBaseline_m, kGlassWheel);
-      for (const double side : {0.5, -0.5})
-        triangles.addCylinder(X_WA * Eigen::Translation3d(0.0, side * rail::kCantBaseline_m, 0.0),
-                              vehicle.wheel_radius_m, kWheelWidth_m, kGlassWheel);
-    }
+    shape.chosen_bogies.push_back(bogieOf(bogie, world, s_m, kGlassBogie));
+    for (const double x_m : bogie.axles_m)
+      addWheelset(frameOf(world.at(s_m + x_m)), vehicle.wheel_radius_m, shape.chosen_wheels);
   }
 }
 
@@ -102,7 +125,7 @@ TrainShape computeTrainShape(const TrainOutline& outline, const rail::WorldTrack
     const bool is_chosen = vehicle.locomotive == chosen;
     shape.bodies.push_back(bodyOf(vehicle, world, s_m, is_chosen));
     if (is_chosen) {
-      addChosenBogies(vehicle, world, s_m, shape.chosen_bogies);
+      addChosenBogies(vehicle, world, s_m, shape);
     } else {
       for (const BogieOutline& bogie : vehicle.bogies) shape.bogies.push_back(bogieOf(bogie, world, s_m, kBogie));
     }
