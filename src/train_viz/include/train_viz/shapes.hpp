@@ -28,10 +28,12 @@ struct Cylinder {
   Colour colour;
 };
 
-/// Three points a triangle, counterclockwise seen from outside; a colour a triangle.
+/// Three points a triangle, counterclockwise seen from outside; a colour a triangle, and one opacity for all of them,
+/// because rviz blends by a marker's own.
 struct Triangles {
   std::vector<Eigen::Vector3d> points;
   std::vector<Colour> colours;
+  double opacity = 1.0;
 
   /// A quadrangle a, b, c, d, counterclockwise seen from outside.
   void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d,

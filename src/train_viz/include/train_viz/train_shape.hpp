@@ -10,6 +10,7 @@ namespace viz {
 /// The train as it is drawn at one instant.
 struct TrainShape {
   std::vector<Box> bodies;              ///< per vehicle
+  Triangles roofs;                      ///< of the bodies
   std::vector<Box> bogies;              ///< two per vehicle, from the head; not of the chosen locomotive
   std::vector<Box> couplers;            ///< per coupler: from body to body, in the colour of its force
   std::vector<Box> chosen_bogies;       ///< of the chosen locomotive, to be looked through

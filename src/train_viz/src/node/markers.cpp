@@ -61,6 +61,7 @@ Marker makeTriangles(const std::string& name, const Triangles& triangles) {
   Marker marker = makeMarker(name, 0, Marker::TRIANGLE_LIST);
   for (const Eigen::Vector3d& point : triangles.points) marker.points.push_back(toMsg(point));
   for (const Colour& colour : triangles.colours) marker.colors.push_back(toMsg(colour));
+  marker.color.a = static_cast<float>(triangles.opacity);
   return marker;
 }
 
@@ -176,6 +177,7 @@ MarkerArray toMsg(const TrackShape& shape) {
 MarkerArray toTrainMsg(const TrainShape& shape, const std::vector<Caption>& captions) {
   MarkerArray msg;
   addBoxes("bodies", shape.bodies, msg);
+  addOrTakeAway(makeTriangles("roofs", shape.roofs), msg);
   addBoxes("bogies", shape.bogies, msg);
   addBoxes("chosen_bogies", shape.chosen_bogies, msg);
   addCylinders("chosen_wheels", shape.chosen_wheels, msg);

@@ -13,6 +13,7 @@ constexpr double kWidth_m = 2.9;
 constexpr double kFloor_m = 1.15;
 constexpr double kLocoTop_m = 4.2;
 constexpr double kWagonTop_m = 3.1;
+constexpr double kRoofGap_m = 0.03;  // so that the box's own top is hidden from 500 m, too
 constexpr double kBogieWidth_m = 2.3;
 constexpr double kBogieBottom_m = 0.35;
 constexpr double kBogieEnds_m = 1.2;  // both, beyond the outer axles
@@ -25,8 +26,8 @@ constexpr Colour kLoco{0.95, 0.6, 0.1, 1.0};
 constexpr Colour kChosenLoco{1.0, 0.78, 0.25, 1.0};
 constexpr Colour kWagon{0.36, 0.46, 0.42, 1.0};
 constexpr Colour kBogie{0.16, 0.16, 0.18, 1.0};
-constexpr Colour kGlassBogie{0.3, 0.3, 0.35, 0.25};
-constexpr Colour kGlassWheel{0.55, 0.58, 0.62, 0.35};
+constexpr Colour kGlassBogie{0.3, 0.3, 0.35, 0.3};
+constexpr Colour kGlassWheel{0.4, 0.42, 0.46, 0.5};
 
 /// @param X_WT  frame on the rail tops below it
 Box boxOn(const Eigen::Isometry3d& X_WT, double length_m, double width_m, double bottom_m, double top_m,
@@ -56,6 +57,15 @@ Box bodyOf(const VehicleOutline& vehicle, const rail::WorldTrack& world, double 
   const Colour colour = !vehicle.locomotive ? kWagon : chosen ? kChosenLoco : kLoco;
   return boxOn(chordFrame(vehicle, world, s_m), vehicle.length_m - kBodyGap_m, kWidth_m, kFloor_m,
                vehicle.locomotive ? kLocoTop_m : kWagonTop_m, colour);
+}
+
+/// Of the body's full colour: rviz lights a box from where one looks, which leaves its top dark.
+void addRoof(const Box& body, Triangles& roofs) {
+  const Eigen::Vector3d h = 0.5 * body.size_m;
+  const auto corner = [&](double x, double y) -> Eigen::Vector3d {
+    return body.X_WB * Eigen::Vector3d(x * h.x(), y * h.y(), h.z() + kRoofGap_m);
+  };
+  roofs.add(corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0), body.colour);
 }
 
 Box bogieOf(const BogieOutline& bogie, const rail::WorldTrack& world, double s_m, const Colour& colour) {
@@ -101,13 +111,13 @@ Box couplerBetween(const Eigen::Vector3d& front, const Eigen::Vector3d& rear, do
 /// The band between the line and the forces, from coupler to coupler.
 void addDiagram(const rail::WorldTrack& world, const std::vector<double>& place_m, const std::vector<double>& force_N,
                 Triangles& diagram) {
+  diagram.opacity = kDiagramOpacity;
   for (std::size_t i = 0; i + 1 < place_m.size(); ++i) {
     const Eigen::Isometry3d X_WF = frameOf(world.at(place_m[i])), X_WR = frameOf(world.at(place_m[i + 1]));
     const auto at = [](const Eigen::Isometry3d& X_WT, double y_m) -> Eigen::Vector3d {
       return X_WT * Eigen::Vector3d(0.0, y_m, kDiagramHeight_m);
     };
-    Colour colour = couplerColour(0.5 * (force_N[i] + force_N[i + 1]));
-    colour.a = kDiagramOpacity;
+    const Colour colour = couplerColour(0.5 * (force_N[i] + force_N[i + 1]));
     diagram.add(at(X_WR, 0.0), at(X_WF, 0.0), at(X_WF, kDiagram_m_per_N * force_N[i]),
                 at(X_WR, kDiagram_m_per_N * force_N[i + 1]), colour);
   }
@@ -124,6 +134,7 @@ TrainShape computeTrainShape(const TrainOutline& outline, const rail::WorldTrack
     const double s_m = vehicle_location_m[i];
     const bool is_chosen = vehicle.locomotive == chosen;
     shape.bodies.push_back(bodyOf(vehicle, world, s_m, is_chosen));
+    addRoof(shape.bodies.back(), shape.roofs);
     if (is_chosen) {
       addChosenBogies(vehicle, world, s_m, shape);
     } else {

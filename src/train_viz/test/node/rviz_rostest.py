@@ -112,7 +112,7 @@ class RvizTest(unittest.TestCase):
         self.assertEqual(set(self.shown('track')), {'bed', 'left_rail', 'right_rail', 'centre', 'posts'})
         train = self.shown('train')
         self.assertEqual({name: len(train[name]) for name in train},
-                         {'bodies': 108, 'bogies': 2 * 107, 'chosen_bogies': 2, 'chosen_wheels': 18, 'text': 2})
+                         {'bodies': 108, 'bogies': 2 * 107, 'chosen_bogies': 2, 'chosen_wheels': 18, 'roofs': 1, 'text': 2})
         self.assertIn('loco 1: notch 8', train['text'][0].text)
         self.assertEqual(set(self.shown('couplers')), {'couplers', 'diagram'})
         contacts = self.shown('contacts')

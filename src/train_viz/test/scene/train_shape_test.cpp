@@ -90,6 +90,11 @@ TEST_F(TrainShapeTest, BodiesAreAsLongAsTheVehiclesLessTheCouplersRoom) {
   EXPECT_NEAR(shape.bodies[0].size_m.x(), 22.0 - viz::kBodyGap_m, 1e-12);
   EXPECT_NEAR(shape.bodies[3].size_m.x(), 15.0 - viz::kBodyGap_m, 1e-12);
   EXPECT_GT(shape.bodies[0].size_m.z(), shape.bodies[3].size_m.z()) << "a locomotive is taller than a wagon";
+  ASSERT_EQ(shape.roofs.points.size(), 108U * 6U);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(shape.roofs.points[static_cast<std::size_t>(i)].z(), 4.2, 0.05);
+  EXPECT_GT((shape.roofs.points[1] - shape.roofs.points[0]).cross(shape.roofs.points[2] - shape.roofs.points[1]).z(),
+            0.0)
+      << "seen from above";
 }
 
 TEST_F(TrainShapeTest, CouplersReachFromBodyToBody) {
