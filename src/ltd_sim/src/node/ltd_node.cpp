@@ -168,6 +168,9 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
 
 void LtdNode::publishStatus() {
   const std::uint8_t now = phase();
+  const bool rests = now == train_msgs::TrainStatus::HELD || cosimulation_->outcome().ended();
+  if (rests && !cosimulation_->stepUnderWay())
+    cosimulation_->hold();  // before the status: who reads it finds the state
   if (now == train_msgs::TrainStatus::HELD && now != last_phase_)
     ROS_INFO("held at %.3f km, %.3f s, step %lu; go on with: rosservice call /train/step_lock RUN 0",
              cosimulation_->leadingLocation() / rail::kMetresPerKilometre, rail::toSeconds(cosimulation_->time()),
