@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../plots/legend_corner.hpp"
+
 namespace viz {
 
 namespace {
@@ -121,6 +123,8 @@ Qt::Alignment alignmentOf(LegendCorner corner) {
       return Qt::AlignLeft | Qt::AlignTop;
     case LegendCorner::kTopRight:
       return Qt::AlignRight | Qt::AlignTop;
+    case LegendCorner::kBottomLeft:
+      return Qt::AlignLeft | Qt::AlignBottom;
     case LegendCorner::kBottomRight:
       break;
   }
@@ -160,13 +164,13 @@ void PlotSheet::makeItems() {
     if (curve.in_legend) ++named;
   }
   legend_->setMaxColumns(named > kLegendRows ? 2 : 1);
-  legend_->setAlignment(alignmentOf(shown_.legend));
 }
 
 void PlotSheet::show(const PlotData& plot) {
   const bool same_items = alike(shown_, plot);
   shown_ = plot;
   if (!same_items) makeItems();
+  legend_->setAlignment(alignmentOf(emptiestCorner(plot)));
   QwtText title = textOf(plot.title, kTextPoints, true);
   title.setRenderFlags(Qt::AlignHCenter | Qt::TextWordWrap);
   setTitle(title);

@@ -70,5 +70,15 @@ TEST(LockStateTest, TimeLeftIsNotKnownOrReadable) {
   EXPECT_EQ(describe(status).time_left, "2 h 1 min");
 }
 
+TEST(LockStateTest, SaysThatATrainIsSilentUnlessItHasEnded) {
+  EXPECT_EQ(phaseWords(std::nullopt, 0.0), "nothing heard of it");
+  TrainStatus status;
+  status.phase = TrainStatus::Phase::kRunning;
+  EXPECT_EQ(phaseWords(status, 1.0), "runs");
+  EXPECT_EQ(phaseWords(status, 12.3), "runs (silent for 12 s)");
+  status.phase = TrainStatus::Phase::kFinished;
+  EXPECT_EQ(phaseWords(status, 12.3), "finished");
+}
+
 }  // namespace
 }  // namespace viz
