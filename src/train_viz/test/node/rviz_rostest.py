@@ -13,8 +13,12 @@ import unittest
 import rosgraph
 import rospy
 import rostest
+from std_msgs.msg import Int32
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'))
+from screen import start_screen  # noqa: E402
 
 REPO = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..', '..'))
 SCENARIO = os.path.join(REPO, 'config', 'scenarios', 'paper_3d.yaml')
@@ -129,12 +133,7 @@ class RvizTest(unittest.TestCase):
         missing = [program for program in ('Xvfb', 'rviz', 'import') if shutil.which(program) is None]
         if missing:
             self.skipTest(f'not installed: {", ".join(missing)}; scripts/install_dependencies.sh adds them')
-        read_end, write_end = os.pipe()
-        self.start(['Xvfb', '-displayfd', str(write_end), '-screen', '0', '1280x720x24', '-nolisten', 'tcp'], 'xvfb.log',
-                   pass_fds=[write_end])
-        os.close(write_end)
-        with os.fdopen(read_end) as pipe:
-            display = ':' + pipe.readline().strip()
+        display = start_screen(lambda command, pass_fds: self.start(command, 'xvfb.log', pass_fds=pass_fds), '1280x720')
         screen = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE='1', QT_X11_NO_MITSHM='1',
                       XDG_RUNTIME_DIR=self.folder)
         self.start(['rviz', '-d', LAYOUT, '__name:=rviz'], 'rviz.log', env=screen)
@@ -148,7 +147,23 @@ class RvizTest(unittest.TestCase):
             errors = [line for line in log if 'ERROR' in line or 'FATAL' in line]
         self.assertEqual(errors, [])
 
-    def test_3_parameters_out_of_range_are_refused_by_name(self):
+    def test_3_one_choice_of_the_locomotive_reaches_markers_and_plots(self):
+        if '/rviz' not in subscribers_of('/train_markers/locomotive'):
+            self.skipTest('rviz does not run')
+        chosen = []
+        rospy.Subscriber('/train_markers/locomotive', Int32, lambda msg: chosen.append(msg.data))
+        choose = rospy.Publisher('/train_markers/choose_locomotive', Int32, queue_size=1)
+        wait_for(lambda: chosen == [1] and choose.get_num_connections(), 'the choice is told')
+        choose.publish(3)
+        wait_for(lambda: {'/rviz', '/train_markers'} <= set(subscribers_of('/loco_3/adhesion')), 'both look at locomotive 3')
+        self.assertEqual(subscribers_of('/loco_1/adhesion'), [])
+        choose.publish(0)
+        wait_for(lambda: len(chosen) == 3, 'an answer to a wrong choice')
+        self.assertEqual(chosen, [1, 3, 3])
+        self.play()
+        wait_for(lambda: 'loco 3: notch 8' in self.shown('train')['text'][0].text, 'the text is of locomotive 3')
+
+    def test_4_parameters_out_of_range_are_refused_by_name(self):
         for parameter in ('locomotive:=0', 'locomotive:=first', 'rate_hz:=1000'):
             name = parameter.split(':=')[0]
             refused = subprocess.run(['rosrun', 'train_viz', 'train_markers', '__name:=refused', '_' + parameter],
