@@ -11,7 +11,7 @@ namespace {
 // Chosen: read beside one locomotive, and from above the whole train.
 constexpr double kNearLetters_m = 1.0;
 constexpr double kNearText_m = 8.5;  // above the rail
-constexpr double kFarLetters_m = 32.0;
+constexpr double kFarLetters_m = 45.0;
 constexpr double kFarText_m = 150.0;
 constexpr double kFarOffset_m = 160.0;  // to the right of the line
 

@@ -66,7 +66,7 @@ std::string phaseWords(const std::optional<TrainStatus>& status, double silence_
 }
 
 StatusWords describe(const TrainStatus& status) {
-  return {format("%.2f s", status.time_s), format("%.4f km", 1e-3 * status.place_m),
+  return {format("%.3f s", status.time_s), format("%.4f km", 1e-3 * status.place_m),
           format("%.1f times real time", status.real_time_factor),
           status.time_left_s < 0.0 ? "not known" : duration(status.time_left_s), joinedOf(status.joined)};
 }

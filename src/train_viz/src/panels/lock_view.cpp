@@ -54,7 +54,7 @@ LockView::LockView(QWidget* parent) : QWidget(parent) {
   column->addLayout(buildControls());
   column->addStretch();
   answer_->setObjectName("answer");
-  answer_->setMinimumHeight(answer_->fontMetrics().lineSpacing());  // so that buttons do not move when it comes
+  answer_->setMinimumHeight(2 * answer_->fontMetrics().lineSpacing());  // so that buttons do not move when it comes
   refresh();
 }
 
@@ -68,13 +68,13 @@ QLayout* LockView::buildStatus() {
     grid->addWidget(value, row, column + 1, 1, span, Qt::AlignTop);
     return value;
   };
-  phase_ = add(0, 0, 3, "Train", "phase");
+  phase_ = add(0, 0, 1, "Train", "phase");
+  joined_ = add(0, 2, 1, "Locomotives", "joined");
   reason_ = add(1, 0, 3, "", "reason");
   time_ = add(2, 0, 1, "Time", "time");
   place_ = add(2, 2, 1, "Place", "place");
   factor_ = add(3, 0, 1, "Runs at", "real_time_factor");
   left_ = add(3, 2, 1, "Time left", "time_left");
-  joined_ = add(4, 0, 3, "Locomotives", "joined");
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
   notes_ = new QPlainTextEdit;
@@ -83,7 +83,7 @@ QLayout* LockView::buildStatus() {
   notes_->setToolTip("What a reader of the results should know");
   notes_->setMaximumHeight(notes_->fontMetrics().lineSpacing() * kNoteLines + 12);
   notes_->hide();  // until there are some
-  grid->addWidget(notes_, 5, 0, 1, 4);
+  grid->addWidget(notes_, 4, 0, 1, 4);
   return grid;
 }
 
@@ -109,15 +109,16 @@ QLayout* LockView::buildControls() {
   time_s_ = spinBox("time_s", 0.0, kLongest_s, 2, 10.0, " s");
   pace_ = spinBox("pace", 0.0, kFastest, 1, 1.0, " x real time");
   pace_->setSpecialValueText("as fast as it goes");
-  auto* grid = new QGridLayout;
-  QWidget* const rows[][2] = {
-      {hold_, run_}, {steps_, step_}, {place_km_, to_place_}, {time_s_, to_time_}, {pace_, set_pace_}};
-  int row = 0;
+  auto* grid = new QGridLayout;  // of six columns: three buttons, or a number and its button
+  grid->setVerticalSpacing(3);   // a laptop's screen is low
+  int column = 0;
+  for (QPushButton* button : {hold_, run_, stop_}) grid->addWidget(button, 0, 2 * column++, 1, 2);
+  QWidget* const rows[][2] = {{steps_, step_}, {place_km_, to_place_}, {time_s_, to_time_}, {pace_, set_pace_}};
+  int row = 1;
   for (const auto& pair : rows) {
-    grid->addWidget(pair[0], row, 0);
-    grid->addWidget(pair[1], row++, 1);
+    grid->addWidget(pair[0], row, 0, 1, 3);
+    grid->addWidget(pair[1], row++, 3, 1, 3);
   }
-  grid->addWidget(stop_, row, 0, 1, 2);
   connect(hold_, &QPushButton::clicked, this, [this] { Q_EMIT requested("HOLD", 0.0); });
   connect(run_, &QPushButton::clicked, this, [this] { Q_EMIT requested("RUN", 0.0); });
   connect(step_, &QPushButton::clicked, this, [this] { Q_EMIT requested("STEP", steps_->value()); });

@@ -22,7 +22,8 @@ namespace viz {
 namespace {
 
 constexpr int kPngWidth = 1200, kPngHeight = 750;   // chosen: a page's width with readable letters
-constexpr int kTextPoints = 10, kLegendPoints = 9;  // chosen: readable at 1600 x 900
+constexpr int kTextPoints = 10, kLegendPoints = 9;  // chosen: readable at 1280 x 800
+constexpr int kLowSheet = 230, kLowPoints = 8;      // below that height the longest axis title would be cut
 constexpr int kPixelsANumber = 90;                  // chosen: between numbers at an axis
 constexpr int kLegendRows = 4;                      // chosen: more in two columns
 constexpr double kBehind = 15.0;                    // between Qwt's grid, 10, and its curves, 20
@@ -174,10 +175,7 @@ void PlotSheet::show(const PlotData& plot) {
   QwtText title = textOf(plot.title, kTextPoints, true);
   title.setRenderFlags(Qt::AlignHCenter | Qt::TextWordWrap);
   setTitle(title);
-  setAxisTitle(xBottom, textOf(plot.x_title, kTextPoints, false));
-  setAxisTitle(yLeft, textOf(plot.y_title, kTextPoints, false));
   enableAxis(yRight, !plot.right_title.empty());
-  setAxisTitle(yRight, textOf(plot.right_title, kTextPoints, false));
   for (std::size_t i = 0; i < items_.size(); ++i) items_[i]->setSamples(pointsOf(plot.curves[i]));
   scaleAxes(size());
   QwtText remark = textOf(plot.remark, kTextPoints, false);
@@ -187,8 +185,12 @@ void PlotSheet::show(const PlotData& plot) {
   replot();
 }
 
-/// A margin around the points, and no more numbers at the axes than there is room for.
+/// Titles that fit, a margin around the points, and no more numbers at the axes than there is room for.
 void PlotSheet::scaleAxes(const QSize& size) {
+  const int points = size.height() < kLowSheet ? kLowPoints : kTextPoints;
+  setAxisTitle(xBottom, textOf(shown_.x_title, points, false));
+  setAxisTitle(yLeft, textOf(shown_.y_title, points, false));
+  setAxisTitle(yRight, textOf(shown_.right_title, points, false));
   for (const int axis : {xBottom, yLeft, yRight}) {
     const bool along = axis == xBottom;
     Bounds bounds = boundsOf(axis, shown_);

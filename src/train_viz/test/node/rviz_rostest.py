@@ -140,9 +140,9 @@ class RvizTest(unittest.TestCase):
         for topic in TOPICS:
             wait_for(lambda: '/rviz' in subscribers_of(f'/train_markers/{topic}'), f'rviz shows {topic}')
         self.play()
-        # the left sides of the chosen locomotive and of the others, shaded; many more pixels were seen
-        wait_for(lambda: count_pixels(screen, (223, 174, 56)) > 500, 'the chosen locomotive on the screen')
-        wait_for(lambda: count_pixels(screen, (213, 134, 22)) > 200, 'another locomotive on the screen')
+        # the roofs of the chosen locomotive and of the others; many more pixels were seen
+        wait_for(lambda: count_pixels(screen, (255, 199, 64)) > 200, 'the chosen locomotive on the screen')
+        wait_for(lambda: count_pixels(screen, (242, 153, 26)) > 200, 'another locomotive on the screen')
         with open(os.path.join(self.folder, 'rviz.log')) as log:
             errors = [line for line in log if 'ERROR' in line or 'FATAL' in line]
         self.assertEqual(errors, [])

@@ -52,7 +52,7 @@ TEST(LockStateTest, FiguresHaveTheirUnits) {
   status.time_left_s = 75.4;
   status.joined = {true, false, true, false};
   const StatusWords words = describe(status);
-  EXPECT_EQ(words.time, "12.50 s");
+  EXPECT_EQ(words.time, "12.500 s");
   EXPECT_EQ(words.place, "3.4568 km");
   EXPECT_EQ(words.real_time_factor, "31.4 times real time");
   EXPECT_EQ(words.time_left, "1 min 15 s");
