@@ -12,12 +12,11 @@ namespace {
 constexpr double kNearLetters_m = 1.0;
 constexpr double kNearText_m = 8.5;  // above the rail
 constexpr double kFarLetters_m = 45.0;
-constexpr double kFarText_m = 150.0;
-constexpr double kFarOffset_m = 160.0;  // to the right of the line
+const Eigen::Vector3d kFarText_m(-450.0, 250.0, 150.0);  // in the map's axes, which the view from above has
 
 std::vector<Caption> captionsAbove(const Eigen::Isometry3d& X_WT, const std::string& text) {
   return {{X_WT * Eigen::Vector3d(0.0, 0.0, kNearText_m), kNearLetters_m, text},
-          {X_WT * Eigen::Vector3d(0.0, -kFarOffset_m, kFarText_m), kFarLetters_m, text}};
+          {X_WT.translation() + kFarText_m, kFarLetters_m, text}};
 }
 
 /// tf2 takes no second pose of one instant: another picture of a held train comes a nanosecond later.

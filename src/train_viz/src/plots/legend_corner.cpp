@@ -7,7 +7,8 @@ namespace viz {
 
 namespace {
 
-constexpr double kWidth = 0.4, kHeight = 0.35;  // of the frame; chosen: a legend of four lines in a panel of 500 pixels
+constexpr double kWidth = 0.4,
+                 kHeight = 0.5;  // of the frame; chosen: a legend of four lines in a sheet of 480 x 240 pixels
 
 struct Range {
   double low = 0.0, high = 0.0;
@@ -15,7 +16,7 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  double shareOf(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
+  double shareOf(double value) const { return high > low ? (value - low) / (high - low) : 0.0; }
 };
 
 struct Frame {

@@ -155,6 +155,15 @@ TEST(LegendCornerTest, GivesWayToABrakingTrain) {
   EXPECT_EQ(emptiestCorner(lineFrom(80.0, 0.0)), LegendCorner::kTopRight);
 }
 
+/// Notches that are all 0 lie at the bottom, though they span nothing.
+TEST(LegendCornerTest, NotchesAllZeroAreSeen) {
+  PlotData plot = lineFrom(80.0, 80.0);
+  plot.curves.push_back(lineFrom(0.0, 0.0).curves[0]);
+  plot.curves.back().right_axis = true;
+  plot.curves.push_back(plot.curves.back());
+  EXPECT_EQ(emptiestCorner(plot), LegendCorner::kTopLeft) << "one curve instead of two";
+}
+
 /// Notches are measured on the axis at the right: 8 of 8 is at the top.
 TEST(LegendCornerTest, EachCurveIsPlacedByItsOwnAxis) {
   PlotData plot = lineFrom(80.0, 0.0);  // leaves top right and bottom left
