@@ -101,7 +101,7 @@ QLayout* LockView::buildControls() {
   to_place_ = addButton("to_place", "Run to place", "Until the leading locomotive is there, then hold");
   to_time_ = addButton("to_time", "Run to time", "Of simulation, since the run's start; then hold");
   set_pace_ = addButton("set_pace", "Set pace", "At most so many times real time; 0: as fast as it goes");
-  stop_ = addButton("stop", "Stop the run ...", "Ends it in good order; it cannot be resumed");
+  stop_ = addButton("stop", "Stop ...", "Ends the run in good order; it cannot be resumed");
   steps_ = new QSpinBox;
   steps_->setObjectName("steps");
   steps_->setRange(1, kMostSteps);

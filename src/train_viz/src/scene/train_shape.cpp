@@ -27,7 +27,7 @@ constexpr Colour kChosenLoco{1.0, 0.78, 0.25, 1.0};
 constexpr Colour kWagon{0.36, 0.46, 0.42, 1.0};
 constexpr Colour kBogie{0.16, 0.16, 0.18, 1.0};
 constexpr Colour kGlassBogie{0.3, 0.3, 0.35, 0.3};
-constexpr Colour kGlassWheel{0.4, 0.42, 0.46, 0.5};
+constexpr Colour kGlassWheel{0.6, 0.63, 0.68, 0.45};
 
 /// @param X_WT  frame on the rail tops below it
 Box boxOn(const Eigen::Isometry3d& X_WT, double length_m, double width_m, double bottom_m, double top_m,
