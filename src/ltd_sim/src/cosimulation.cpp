@@ -52,6 +52,15 @@ void Cosimulation::start() {
   });
 }
 
+void Cosimulation::hold() {
+  assert(!under_way_);
+  if (answers_.empty() || answers_.front() == nullptr) return;
+  const StepRecord record{before_, state_, forces_, loco_forces_, answers_};
+  guarded([&] {
+    for (RunObserver* observer : observers_) observer->onHold(record);
+  });
+}
+
 void Cosimulation::begin() {
   assert(!under_way_ && !outcome_.ended());
   under_way_ = true;

@@ -29,6 +29,8 @@ class Cosimulation {
 
   /// Tells the observers of the start. Call once, before begin().
   void start();
+  /// Tells the observers that the run stands still. No step under way; does nothing before the first.
+  void hold();
 
   /// @pre no step under way, not ended
   void begin();

@@ -25,6 +25,9 @@ class RunObserver {
   virtual ~RunObserver() = default;
   virtual void onStart(const TrainState& state) { (void)state; }
   virtual void onStep(const StepRecord& record) { (void)record; }
+  /// The run stands still after a step, held or at its end, maybe off the telemetry's grid. The step's record once
+  /// more, and maybe again.
+  virtual void onHold(const StepRecord& record) { (void)record; }
   virtual void onEnd(const TrainState& state, const Outcome& outcome) { (void)state, (void)outcome; }
 };
 

@@ -55,25 +55,40 @@ geometry_msgs::TransformStamped toMsg(ros::Time stamp, const std::string& parent
 
 BodyFrames::BodyFrames(const Scenario& scenario) : track_(scenario.track), macro_step_(scenario.macro_step) {
   rail::Problems problems;
-  for (const LocoUnit& unit : scenario.train.locomotives)
+  for (const LocoUnit& unit : scenario.train.locomotives) {
+    vehicles_.push_back(unit.vehicle);
     locomotives_.push_back(loco::makeLocomotive(scenario.document, unit.key, problems));
+  }
   problems.throwIfAny();
 }
 
 const tf2_msgs::TFMessage& BodyFrames::compute(const StepRecord& record) {
-  const ros::Time stamp = toStamp(static_cast<rail::Nanoseconds>(record.after.step) * macro_step_);
+  msg_.transforms.clear();
+  for (std::size_t i = 0; i < locomotives_.size(); ++i)
+    add(i, static_cast<rail::Nanoseconds>(record.after.step) * macro_step_, record.answers[i]->location_m,
+        record.answers[i]->state);
+  return msg_;
+}
+
+const tf2_msgs::TFMessage& BodyFrames::computeStart(const TrainState& state) {
   msg_.transforms.clear();
   for (std::size_t i = 0; i < locomotives_.size(); ++i) {
-    const loco::LocoTraction& answer = *record.answers[i];
-    const std::string name = "loco_" + std::to_string(i + 1) + "/";
-    const Eigen::Isometry3d X_WL = trackFrame(track_, answer.location_m);
-    msg_.transforms.push_back(toMsg(stamp, "map", name + "base_link", X_WL));
-    for (const loco::BodyPose& pose : locomotives_[i]->computePoses(answer.state)) {
-      const Eigen::Isometry3d X_WB = trackFrame(track_, pose.location_m) * bodyFrame(pose);
-      msg_.transforms.push_back(toMsg(stamp, name + "base_link", name + pose.name, X_WL.inverse() * X_WB));
-    }
+    const double location_m = state.s_m[vehicles_[i]];
+    const loco::LocoStart start = locomotives_[i]->equilibriumState(location_m, state.v_mps[vehicles_[i]]);
+    if (start.failure.empty()) add(i, 0, location_m, start.state);  // the run's first step will say why, if not
   }
   return msg_;
+}
+
+void BodyFrames::add(std::size_t i, rail::Nanoseconds t, double location_m, const std::vector<double>& state) {
+  const ros::Time stamp = toStamp(t);
+  const std::string name = "loco_" + std::to_string(i + 1) + "/";
+  const Eigen::Isometry3d X_WL = trackFrame(track_, location_m);
+  msg_.transforms.push_back(toMsg(stamp, "map", name + "base_link", X_WL));
+  for (const loco::BodyPose& pose : locomotives_[i]->computePoses(state)) {
+    const Eigen::Isometry3d X_WB = trackFrame(track_, pose.location_m) * bodyFrame(pose);
+    msg_.transforms.push_back(toMsg(stamp, name + "base_link", name + pose.name, X_WL.inverse() * X_WB));
+  }
 }
 
 }  // namespace ltd

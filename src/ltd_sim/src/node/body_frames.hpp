@@ -20,10 +20,15 @@ class BodyFrames {
   explicit BodyFrames(const Scenario& scenario);
   /// @return transforms of all locomotives at the end of the step; valid until the next call
   const tf2_msgs::TFMessage& compute(const StepRecord& record);
+  /// @return those at the start, in the equilibria that the locomotives start from; likewise
+  const tf2_msgs::TFMessage& computeStart(const TrainState& state);
 
  private:
+  void add(std::size_t i, rail::Nanoseconds t, double location_m, const std::vector<double>& state);
+
   rail::WorldTrack track_;
   rail::Nanoseconds macro_step_;
+  std::vector<std::size_t> vehicles_;                           ///< per locomotive
   std::vector<std::unique_ptr<loco::Locomotive>> locomotives_;  ///< to read states, not to compute
   tf2_msgs::TFMessage msg_;
 };

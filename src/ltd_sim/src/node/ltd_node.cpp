@@ -32,6 +32,7 @@ std::uint64_t drawRunId() {
 
 LtdNode::LtdNode(const Scenario& scenario, const Options& options)
     : scenario_(scenario),
+      keep_(options.keep),
       id_{drawRunId(), kFirstEpoch, 0, 0},
       control_(options.hold),
       lock_(
@@ -94,7 +95,9 @@ bool LtdNode::onJoin(train_msgs::JoinTrain::Request& request, train_msgs::JoinTr
 
 bool LtdNode::onStepLock(train_msgs::StepLock::Request& request, train_msgs::StepLock::Response& response) {
   const std::lock_guard<std::mutex> guard(mutex_);
-  const RunControl::Reply reply = control_.request(request.command, request.value, situation(), wallNow());
+  RunControl::Reply reply{false, "the run has ended: " + cosimulation_->outcome().reason};
+  if (!cosimulation_->outcome().ended())
+    reply = control_.request(request.command, request.value, situation(), wallNow());
   response.accepted = static_cast<std::uint8_t>(reply.accepted);
   response.message = reply.message;
   response.step = cosimulation_->state().step;
@@ -153,7 +156,6 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
   }
   links_.close();
   if (driver_) driver_->close();
-  services.stop();
   const Outcome& outcome = cosimulation_->outcome();
   if (outcome.exitStatus() == 0) {
     ROS_INFO("%s: %s", toString(outcome.kind).c_str(), outcome.reason.c_str());
@@ -162,12 +164,31 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
   } else {
     ROS_ERROR("%s: %s", toString(outcome.kind).c_str(), outcome.reason.c_str());
   }
+  if (keep_) stay(interrupted);
+  services.stop();
   ros::WallDuration(0.2).sleep();  // roscpp has no flush: the last status goes out
   return outcome.exitStatus();
 }
 
+/// Everything that is latched stays to be seen, and the status goes on, so that no locomotive misses the train.
+void LtdNode::stay(const volatile std::sig_atomic_t& interrupted) {
+  if (interrupted == 0) ROS_INFO("the run has ended; it stays to be looked at until Ctrl-C");
+  while (interrupted == 0 && ros::ok()) {
+    const double now_s = wallNow();
+    if (now_s >= next_heartbeat_s_) {
+      const std::lock_guard<std::mutex> guard(mutex_);
+      publishStatus();
+      next_heartbeat_s_ = now_s + kHeartbeat_s;
+    }
+    ros::WallDuration(kLongestWait_s).sleep();
+  }
+}
+
 void LtdNode::publishStatus() {
   const std::uint8_t now = phase();
+  const bool rests = now == train_msgs::TrainStatus::HELD || cosimulation_->outcome().ended();
+  if (rests && !cosimulation_->stepUnderWay())
+    cosimulation_->hold();  // before the status: who reads it finds the state
   if (now == train_msgs::TrainStatus::HELD && now != last_phase_)
     ROS_INFO("held at %.3f km, %.3f s, step %lu; go on with: rosservice call /train/step_lock RUN 0",
              cosimulation_->leadingLocation() / rail::kMetresPerKilometre, rail::toSeconds(cosimulation_->time()),

@@ -42,10 +42,12 @@ class LtdNode {
     std::string out;     ///< folder of the results
     bool record = true;  ///< write a bag
     bool hold = false;   ///< start held
+    bool keep = false;   ///< stay after the run's end, for those who look at it
   };
   LtdNode(const Scenario& scenario, const Options& options);
 
-  /// Runs until the scenario ends, somebody stops it, or `interrupted` becomes non-zero.
+  /// Runs until the scenario ends, somebody stops it, or `interrupted` becomes non-zero; then stays, if so asked, until
+  /// `interrupted` becomes non-zero.
   /// @return exit status as of Outcome
   int run(const volatile std::sig_atomic_t& interrupted);
 
@@ -60,10 +62,12 @@ class LtdNode {
   bool advance();
   void watch(const volatile std::sig_atomic_t& interrupted);
   std::uint8_t phase() const;
+  void stay(const volatile std::sig_atomic_t& interrupted);
   void publishStatus();
   void sayOnce(const std::string& what);
 
   const Scenario& scenario_;
+  const bool keep_;
   loco::ExchangeId id_;
 
   std::mutex mutex_;  ///< guards all below but links_

@@ -77,6 +77,7 @@ int runProgram(const volatile std::sig_atomic_t& interrupted) {
     options.out = required(parameters, "out", "folder of the results");
     options.record = readParameter(parameters, "record", true, "must be true or false");
     options.hold = readParameter(parameters, "hold", false, "must be true or false");
+    options.keep = readParameter(parameters, "keep", false, "must be true or false");
     const std::string file = required(parameters, "scenario", "path of the scenario");
     scenario = Scenario::load(file, readOverrides(readParameter<std::string>(parameters, "set", "", "must be text")));
     checkCount(readParameter(parameters, "locomotives", 0, "must be a whole number"), scenario);

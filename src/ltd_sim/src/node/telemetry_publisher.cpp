@@ -18,36 +18,56 @@ TelemetryPublisher::TelemetryPublisher(const Scenario& scenario, std::uint64_t r
     if (loco::hasContacts(scenario.train.locomotives[i].model))
       adhesion_[i] = node_.advertise<train_msgs::Adhesion>("loco_" + std::to_string(i + 1) + "/adhesion", 100, true);
   }
-  tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10);
+  // Latched, although /tf seldom is: all frames of this node are in one message, so who comes late gets them all.
+  tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10, true);
   clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 100);
 }
 
-void TelemetryPublisher::onStart(const TrainState&) {
+void TelemetryPublisher::onStart(const TrainState& state) {
   configuration_.publish(toMsg(scenario_, run_id_));
+  TrainDynamics dynamics(scenario_.train, scenario_.track, scenario_.driver, scenario_.air_brake, scenario_.macro_step);
+  TrainForces forces;
+  dynamics.computeOuterForces(state, forces);
+  forces.notch.assign(scenario_.train.locomotives.size(), 0);  // the driver has not been asked yet
+  forces.brake_notch = forces.notch;
+  toMsg(scenario_, state, forces, state_msg_);
+  state_.publish(state_msg_);
   publishClock(0);
+  tf_.publish(frames_.computeStart(state));
 }
 
 void TelemetryPublisher::onStep(const StepRecord& record) {
   const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(record.after.step) * scenario_.macro_step;
   if (t % scenario_.output.telemetry_interval != 0) return;
-  toMsg(scenario_, record.after, record.forces, state_msg_);
   toMsg(scenario_, record.after, energy_msg_);
-  state_.publish(state_msg_);
   energy_.publish(energy_msg_);
+  publishState(record);
+  constexpr std::chrono::milliseconds kFrameInterval(33);
+  if (std::chrono::steady_clock::now() - frames_sent_ >= kFrameInterval) publishFrames(record);
+}
+
+/// No energies: the stored ones are up to date on the telemetry's grid only.
+void TelemetryPublisher::onHold(const StepRecord& record) {
+  if (record.after.step != shown_step_) publishState(record);
+  if (record.after.step != frames_step_) publishFrames(record);
+}
+
+void TelemetryPublisher::publishState(const StepRecord& record) {
+  const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(record.after.step) * scenario_.macro_step;
+  shown_step_ = record.after.step;
+  toMsg(scenario_, record.after, record.forces, state_msg_);
+  state_.publish(state_msg_);
   for (std::size_t i = 0; i < adhesion_.size(); ++i) {
     if (!adhesion_[i]) continue;
     toMsg(t, *record.answers[i], adhesion_msg_);
     adhesion_[i].publish(adhesion_msg_);
   }
   publishClock(t);
-  publishFrames(record);
 }
 
 void TelemetryPublisher::publishFrames(const StepRecord& record) {
-  constexpr std::chrono::milliseconds kFrameInterval(33);
-  const auto now = std::chrono::steady_clock::now();
-  if (now - frames_sent_ < kFrameInterval) return;
-  frames_sent_ = now;
+  frames_sent_ = std::chrono::steady_clock::now();
+  frames_step_ = record.after.step;
   tf_.publish(frames_.compute(record));
 }
 

@@ -69,10 +69,15 @@ class Graph:
         for process in reversed(self.processes):
             self.end(process, signal.SIGINT)
 
-    def start(self, command, **environment):
+    def start(self, command, pass_fds=(), **environment):
         log = open(os.path.join(self.folder, "%d.log" % len(self.processes)), "w")
         process = subprocess.Popen(
-            command, env=dict(self.environment, **environment), cwd=self.folder, stdout=log, stderr=subprocess.STDOUT
+            command,
+            env=dict(self.environment, **environment),
+            cwd=self.folder,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            pass_fds=pass_fds,
         )
         process.log = log.name
         self.processes.append(process)
@@ -105,6 +110,13 @@ class Graph:
             ["/usr/bin/roslaunch", "-p", self.port, os.path.join(REPO, "launch", file), "out:=" + self.out] + list(arguments),
             PWD=self.folder,
         )
+
+    def call(self, name, *arguments):
+        """Runs one of ROS's own programs to its end; returns what it says."""
+        command = ["/usr/bin/" + name] + list(arguments)
+        return subprocess.run(
+            command, check=True, env=self.environment, stdout=subprocess.PIPE, universal_newlines=True, timeout=DEADLINE_S
+        ).stdout
 
     def text(self, process):
         with open(process.log) as file:

@@ -3,6 +3,7 @@
 
 import os
 import re
+import signal
 import subprocess
 import sys
 import unittest
@@ -67,6 +68,26 @@ class LaunchTest(unittest.TestCase):
     def test_a_scenario_goes_by_its_name(self):
         outcome = self.outcome_of_launch("scenario.launch", "scenario:=paper_1d", "record:=false", "set:=run.end_time_s=1")
         self.assertEqual(outcome["outcome"], "finished", outcome)
+
+    def test_a_run_that_is_kept_can_be_looked_at_until_it_is_interrupted(self):
+        launch = self.graph.launch(
+            "scenario.launch", "scenario:=paper_1d", "record:=false", "set:=run.end_time_s=1", "keep:=true"
+        )
+        self.graph.wait_for_text(launch, "stays to be looked at until Ctrl-C")
+        self.assertEqual(outcome_of(self.graph.out)["outcome"], "finished")
+        state = self.graph.call("rostopic", "echo", "-n", "1", "/train/state/time")  # latched: it has come before
+        self.assertEqual(state.split()[0], "1.0")
+        answer = self.graph.call("rosservice", "call", "/train/step_lock", "RUN", "0")
+        self.assertIn("the run has ended: reached the end time 1 s", answer)
+        self.assertIsNone(launch.poll())
+        self.graph.end(launch, signal.SIGINT)
+        self.assertEqual(launch.returncode, 0)
+
+    def test_without_rviz_nothing_is_kept(self):
+        for file, arguments in (("paper.launch", []), ("scenario.launch", ["scenario:=paper_1d"])):
+            for rviz in ("false", "true"):
+                dump = self.graph.call("roslaunch", "--dump-params", os.path.join(LAUNCH, file), "rviz:=" + rviz, *arguments)
+                self.assertIn("/ltd/keep: " + rviz, dump)
 
     def test_a_relative_file_counts_from_where_roslaunch_was_called(self):
         outcome = self.outcome_of_launch("scenario.launch", "scenario:=mine/run.yaml")

@@ -4,11 +4,13 @@
 import os
 import signal
 import threading
+import time
 import unittest
 import xmlrpc.client
 
 import rosgraph
 import rospy
+from tf2_msgs.msg import TFMessage
 from train_msgs.msg import TrainEnergy, TrainState, TrainStatus
 from train_msgs.srv import StepLock
 
@@ -47,6 +49,21 @@ class StepLockTest(unittest.TestCase):
     def wait_held_at(self, what, condition):
         return self.wait_until(what, lambda s: s.phase == TrainStatus.HELD and condition(s))
 
+    def check_shown(self, status):
+        """Who comes while the train is held sees it where it stands: state and frames are those of the last step."""
+        self.wait_for_state(status.step)
+        self.assertAlmostEqual(self.states[-1].location, status.location, places=9)
+        frames = rospy.wait_for_message("/tf", TFMessage, DEADLINE_S).transforms  # nothing but this listens to it
+        self.assertEqual({frame.header.stamp for frame in frames}, {status.header.stamp})
+        leading = [frame for frame in frames if frame.child_frame_id == "loco_1/base_link"]
+        self.assertAlmostEqual(leading[0].transform.translation.x, status.location, places=6)  # the line is straight here
+
+    def wait_for_state(self, step):
+        deadline = time.monotonic() + DEADLINE_S
+        while not self.states or self.states[-1].step != step:
+            self.assertLess(time.monotonic(), deadline, "no /train/state of step %d" % step)
+            time.sleep(0.02)
+
     def test_1_starts_held_with_all_locomotives_joined(self):
         status = self.wait_held_at("held at the start", lambda s: all(s.joined))
         self.assertEqual(status.step, 0)
@@ -54,6 +71,9 @@ class StepLockTest(unittest.TestCase):
         self.assertEqual(sorted(status.incarnation), [1, 2, 3])
         self.assertEqual(status.reason, "holds at 3.000 km")
         self.assertAlmostEqual(status.location, 3000.0, places=9)
+        self.check_shown(status)
+        self.assertEqual(list(self.states[-1].notch), [0.0, 0.0, 0.0])
+        self.assertGreater(self.states[-1].speed_limit, 10.0)
 
     def test_2_step_10_runs_ten_steps_and_holds(self):
         reply = self.step_lock("STEP", 10)
@@ -76,6 +96,15 @@ class StepLockTest(unittest.TestCase):
         status = self.wait_held_at("held at 3.002 km", lambda s: s.step > 10)
         self.assertGreaterEqual(status.location, 3002.0)
         self.assertLess(status.location, 3002.0 + 0.002 * 2.0)  # within one step of 2 ms at less than 2 m/s
+        self.check_shown(status)
+
+    def test_4b_a_step_beside_the_telemetrys_grid_is_shown_too(self):
+        before = self.status.step
+        steps = 3 if (before + 3) % 10 else 4  # the telemetry comes every ten steps
+        self.assertTrue(self.step_lock("STEP", steps).accepted)
+        status = self.wait_held_at("held a few steps later", lambda s: s.step > before)
+        self.assertEqual(status.step, before + steps)
+        self.check_shown(status)
 
     def test_5_run_until_a_time_holds_there(self):
         self.assertTrue(self.step_lock("RUN_UNTIL_TIME", 2.0).accepted)
@@ -93,7 +122,7 @@ class StepLockTest(unittest.TestCase):
     def test_7_telemetry_is_published_at_50_hz_of_simulation_time(self):
         self.wait_held_at("held", lambda s: s.step == 1500)
         self.assertGreater(len(self.states), 100)
-        stamps = [state.header.stamp.to_nsec() for state in self.states]
+        stamps = [state.header.stamp.to_nsec() for state in self.states if state.step % 10 == 0]  # others: where it was held
         self.assertTrue(all(b - a == 20000000 for a, b in zip(stamps, stamps[1:])), stamps[:5])
         self.assertEqual(len(self.states[0].vehicle_speed), 108)
         self.assertEqual(len(self.states[0].coupler_force), 107)

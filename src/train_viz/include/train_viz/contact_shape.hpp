@@ -21,21 +21,15 @@ struct Contact {
   double computeUse() const;  ///< adhesion used over friction offered [-]
 };
 
-/// A contact ellipse, enlarged, as a flat cylinder about z of its frame.
-struct Patch {
-  Eigen::Isometry3d X_WP = Eigen::Isometry3d::Identity();
-  double length_m = 0.0, width_m = 0.0;
-  Colour colour;
-};
-
 struct ContactShape {
   std::vector<Arrow> normal_forces;  ///< on the wheel, along the rail's normal
   std::vector<Arrow> creep_forces;   ///< on the wheel, in the contact plane, in the colour of adhesion used
-  std::vector<Patch> patches;
+  std::vector<Cylinder> patches;     ///< contact ellipses, enlarged and flat
 };
 
 inline constexpr double kArrow_m_per_N = 1.0e-5;  ///< chosen: 1 m for 100 kN, so a wheel's load is as high as the wheel
-inline constexpr double kPatchScale = 10.0;       ///< chosen: contacts of 10 mm are seen beside wheels of 1 m
+inline constexpr double kPatchThickness_m = 0.01;
+inline constexpr double kPatchScale = 10.0;  ///< chosen: contacts of 10 mm are seen beside wheels of 1 m
 
 /// @param location_m  chainage of the locomotive's CoG
 ContactShape computeContactShape(const rail::WorldTrack& world, double location_m,

@@ -21,18 +21,23 @@ struct Box {
   Colour colour;
 };
 
-/// Three points a triangle, counterclockwise seen from outside; a colour a point.
+/// A cylinder about the z axis of its centre C; its ends may be ellipses.
+struct Cylinder {
+  Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  ///< two diameters and the height
+  Colour colour;
+};
+
+/// Three points a triangle, counterclockwise seen from outside; a colour a triangle, and one opacity for all of them,
+/// because rviz blends by a marker's own.
 struct Triangles {
   std::vector<Eigen::Vector3d> points;
   std::vector<Colour> colours;
+  double opacity = 1.0;
 
-  void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Colour& colour);
   /// A quadrangle a, b, c, d, counterclockwise seen from outside.
   void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d,
            const Colour& colour);
-  void add(const Box& box);
-  /// A cylinder about the y axis of its frame.
-  void addCylinder(const Eigen::Isometry3d& X_WB, double radius_m, double width_m, const Colour& colour);
 };
 
 struct Arrow {

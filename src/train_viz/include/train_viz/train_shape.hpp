@@ -9,16 +9,18 @@ namespace viz {
 
 /// The train as it is drawn at one instant.
 struct TrainShape {
-  std::vector<Box> bodies;    ///< per vehicle
-  std::vector<Box> bogies;    ///< two per vehicle, from the head; not of the chosen locomotive
-  std::vector<Box> couplers;  ///< per coupler: from body to body, in the colour of its force
-  Triangles chosen_bogies;    ///< bogies and wheels of the chosen locomotive, to be looked through
-  Triangles force_diagram;    ///< coupler forces along the line: draft to its left, buff to its right
+  std::vector<Box> bodies;              ///< per vehicle
+  Triangles roofs;                      ///< of the bodies
+  std::vector<Box> bogies;              ///< two per vehicle, from the head; not of the chosen locomotive
+  std::vector<Box> couplers;            ///< per coupler: from body to body, in the colour of its force
+  std::vector<Box> chosen_bogies;       ///< of the chosen locomotive, to be looked through
+  std::vector<Cylinder> chosen_wheels;  ///< likewise, and the axles between them
+  Triangles force_diagram;              ///< coupler forces along the line: draft to its left, buff to its right
 };
 
-/// Puts every vehicle on the line: a box whose centre is over its CoG's place and whose heading is the tangent there;
-/// bogies likewise at their own places. Bodies are true in length (over couplers less kBodyGap_m), width and height are
-/// chosen. Not drawn: that a long body leans on its two bogies' chord, 84 mm inside the curve for 14.2 m in R300.
+/// Puts every vehicle on the line: its bogies over their places, with the heading of the tangent there, and its body on
+/// the chord from bogie to bogie. Bodies are true in length (over couplers less kBodyGap_m), width and height are
+/// chosen.
 /// @param chosen             locomotive whose bogies are shown in detail, from 1
 /// @param vehicle_location_m chainages of the CoGs, as many as the outline has vehicles
 /// @param coupler_force_N    + draft, - buff; one less

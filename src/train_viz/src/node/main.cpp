@@ -26,8 +26,9 @@ int main(int argc, char** argv) {
   const ros::NodeHandle parameters("~");  // until the end: with the last handle the log is closed, too
   try {
     viz::TrainMarkers::Options options;
-    options.locomotive = readParameter(parameters, "locomotive", options.locomotive,
-                                       "must be a whole number from 1, from the head", 1, 5000);
+    options.locomotive =
+        readParameter(parameters, "locomotive", options.locomotive, "must be a whole number from 1, from the head", 1,
+                      viz::TrainMarkers::kMostLocomotives);
     options.rate_hz = readParameter(parameters, "rate_hz", options.rate_hz, "must be a number from 1 to 60", 1.0, 60.0);
     const viz::TrainMarkers markers(options);
     ros::spin();

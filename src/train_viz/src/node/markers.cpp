@@ -15,7 +15,6 @@ constexpr double kCentreWidth_m = 0.05;
 constexpr Colour kInk{0.08, 0.1, 0.16, 1.0};  // chosen: read before a light sky
 constexpr double kShaft_m = 0.05;             // chosen, of arrows: seen beside wheels of 1 m
 constexpr double kHead_m = 0.12;
-constexpr double kPatchThickness_m = 0.01;
 constexpr double kShortestArrow_m = 0.001;  // chosen: rviz cannot draw an arrow without a direction
 
 geometry_msgs::Point toMsg(const Eigen::Vector3d& p) {
@@ -62,13 +61,32 @@ Marker makeTriangles(const std::string& name, const Triangles& triangles) {
   Marker marker = makeMarker(name, 0, Marker::TRIANGLE_LIST);
   for (const Eigen::Vector3d& point : triangles.points) marker.points.push_back(toMsg(point));
   for (const Colour& colour : triangles.colours) marker.colors.push_back(toMsg(colour));
+  marker.color.a = static_cast<float>(triangles.opacity);
   return marker;
 }
 
-Marker makeBoxes(const std::string& name, const std::vector<Box>& boxes) {
-  Triangles triangles;
-  for (const Box& box : boxes) triangles.add(box);
-  return makeTriangles(name, triangles);
+Marker makeSolid(const std::string& name, int id, int type, const Eigen::Isometry3d& X_WB,
+                 const Eigen::Vector3d& size_m, const Colour& colour) {
+  Marker marker = makeMarker(name, id, type);
+  marker.pose.position = toMsg(Eigen::Vector3d(X_WB.translation()));
+  marker.pose.orientation = orientationOf(X_WB);
+  marker.scale.x = size_m.x();
+  marker.scale.y = size_m.y();
+  marker.scale.z = size_m.z();
+  marker.color = toMsg(colour);
+  return marker;
+}
+
+void addBoxes(const std::string& name, const std::vector<Box>& boxes, MarkerArray& msg) {
+  int id = 0;
+  for (const Box& box : boxes)
+    msg.markers.push_back(makeSolid(name, id++, Marker::CUBE, box.X_WB, box.size_m, box.colour));
+}
+
+void addCylinders(const std::string& name, const std::vector<Cylinder>& cylinders, MarkerArray& msg) {
+  int id = 0;
+  for (const Cylinder& cylinder : cylinders)
+    msg.markers.push_back(makeSolid(name, id++, Marker::CYLINDER, cylinder.X_WC, cylinder.size_m, cylinder.colour));
 }
 
 Marker makeLine(const std::string& name, const std::vector<Eigen::Vector3d>& points, double width_m, Colour colour) {
@@ -104,20 +122,6 @@ void addArrows(const std::string& name, const std::vector<Arrow>& arrows, Marker
     marker.scale.y = kHead_m;
     marker.scale.z = std::min(kHead_m, 0.5 * (arrow.to_m - arrow.from_m).norm());
     marker.color = toMsg(arrow.colour);
-    msg.markers.push_back(marker);
-  }
-}
-
-void addPatches(const std::vector<Patch>& patches, MarkerArray& msg) {
-  int id = 0;
-  for (const Patch& patch : patches) {
-    Marker marker = makeMarker("patches", id++, Marker::CYLINDER);
-    marker.pose.position = toMsg(patch.X_WP.translation());
-    marker.pose.orientation = orientationOf(patch.X_WP);
-    marker.scale.x = patch.length_m;
-    marker.scale.y = patch.width_m;
-    marker.scale.z = kPatchThickness_m;
-    marker.color = toMsg(patch.colour);
     msg.markers.push_back(marker);
   }
 }
@@ -172,9 +176,11 @@ MarkerArray toMsg(const TrackShape& shape) {
 
 MarkerArray toTrainMsg(const TrainShape& shape, const std::vector<Caption>& captions) {
   MarkerArray msg;
-  addOrTakeAway(makeBoxes("bodies", shape.bodies), msg);
-  addOrTakeAway(makeBoxes("bogies", shape.bogies), msg);
-  addOrTakeAway(makeTriangles("chosen_bogies", shape.chosen_bogies), msg);
+  addBoxes("bodies", shape.bodies, msg);
+  addOrTakeAway(makeTriangles("roofs", shape.roofs), msg);
+  addBoxes("bogies", shape.bogies, msg);
+  addBoxes("chosen_bogies", shape.chosen_bogies, msg);
+  addCylinders("chosen_wheels", shape.chosen_wheels, msg);
   int id = 0;
   for (const Caption& caption : captions) msg.markers.push_back(makeText("text", id++, caption));
   return msg;
@@ -182,7 +188,7 @@ MarkerArray toTrainMsg(const TrainShape& shape, const std::vector<Caption>& capt
 
 MarkerArray toCouplersMsg(const TrainShape& shape) {
   MarkerArray msg;
-  addOrTakeAway(makeBoxes("couplers", shape.couplers), msg);
+  addBoxes("couplers", shape.couplers, msg);
   addOrTakeAway(makeTriangles("diagram", shape.force_diagram), msg);
   return msg;
 }
@@ -191,7 +197,7 @@ MarkerArray toMsg(const ContactShape& shape) {
   MarkerArray msg = clearingMsg();  // contacts come and go
   addArrows("normal", shape.normal_forces, msg);
   addArrows("creep", shape.creep_forces, msg);
-  addPatches(shape.patches, msg);
+  addCylinders("patches", shape.patches, msg);
   return msg;
 }
 

@@ -15,6 +15,7 @@
 #include "train_viz/train_shape.hpp"
 
 /// From what is drawn to rviz's messages, all in the frame `map`. Their stamp is 0: they are shown as they come.
+/// rviz takes a marker whole or not at all, so a box is a CUBE with pose and size (174 bytes), not its corners.
 namespace viz {
 
 visualization_msgs::MarkerArray toMsg(const TrackShape& shape);

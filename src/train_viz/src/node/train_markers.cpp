@@ -11,13 +11,19 @@ namespace {
 // Chosen: read beside one locomotive, and from above the whole train.
 constexpr double kNearLetters_m = 1.0;
 constexpr double kNearText_m = 8.5;  // above the rail
-constexpr double kFarLetters_m = 32.0;
-constexpr double kFarText_m = 150.0;
-constexpr double kFarOffset_m = 160.0;  // to the right of the line
+constexpr double kFarLetters_m = 45.0;
+const Eigen::Vector3d kFarText_m(-450.0, 250.0, 150.0);  // in the map's axes, which the view from above has
 
 std::vector<Caption> captionsAbove(const Eigen::Isometry3d& X_WT, const std::string& text) {
   return {{X_WT * Eigen::Vector3d(0.0, 0.0, kNearText_m), kNearLetters_m, text},
-          {X_WT * Eigen::Vector3d(0.0, -kFarOffset_m, kFarText_m), kFarLetters_m, text}};
+          {X_WT.translation() + kFarText_m, kFarLetters_m, text}};
+}
+
+/// tf2 takes no second pose of one instant: another picture of a held train comes a nanosecond later.
+ros::Time stampAfter(ros::Time last, ros::Time stamp) {
+  const ros::Duration nanosecond(0, 1),
+      millisecond(0, 1000000);  // no run has steps so short that this reaches the next
+  return last >= stamp && last - stamp < millisecond ? last + nanosecond : stamp;
 }
 
 }  // namespace
@@ -27,22 +33,60 @@ TrainMarkers::TrainMarkers(const Options& options) : options_(options) {
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   configuration_subscriber_ = node_.subscribe("/train/configuration", 1, &TrainMarkers::onConfiguration, this, hints);
   state_subscriber_ = node_.subscribe<train_msgs::TrainState>(
-      "/train/state", 1, [this](const train_msgs::TrainState::ConstPtr& msg) { state_ = msg; }, {}, hints);
-  adhesion_subscriber_ = node_.subscribe<train_msgs::Adhesion>(
-      "/loco_" + std::to_string(options.locomotive) + "/adhesion", 1,
-      [this](const train_msgs::Adhesion::ConstPtr& msg) { adhesion_ = msg; }, {}, hints);
+      "/train/state", 1,
+      [this](const train_msgs::TrainState::ConstPtr& msg) {
+        state_ = msg;
+        state_is_new_ = true;
+      },
+      {}, hints);
+  choice_subscriber_ = private_node_.subscribe("choose_locomotive", 10, &TrainMarkers::onChoice, this);
+  listenToLocomotive();
   timer_ = node_.createWallTimer(ros::WallDuration(1.0 / options.rate_hz), &TrainMarkers::onTimer, this);
 }
 
 void TrainMarkers::advertise() {
-  track_ = private_node_.advertise<visualization_msgs::MarkerArray>("track", 1, true);
-  train_ = private_node_.advertise<visualization_msgs::MarkerArray>("train", 1, true);
-  couplers_ = private_node_.advertise<visualization_msgs::MarkerArray>("couplers", 1, true);
-  contacts_ = private_node_.advertise<visualization_msgs::MarkerArray>("contacts", 1, true);
-  // /tf cannot be latched, it has many publishers: who comes while the train is held gets the last frames from here
-  tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10, [this](const ros::SingleSubscriberPublisher& subscriber) {
-    if (!frames_.transforms.empty()) subscriber.publish(frames_);
-  });
+  const auto advertiseMarkers = [this](const char* topic) {  // 2: what clears must not be overtaken by what comes after
+    return private_node_.advertise<visualization_msgs::MarkerArray>(topic, 2, true);
+  };
+  track_ = advertiseMarkers("track");
+  train_ = advertiseMarkers("train");
+  couplers_ = advertiseMarkers("couplers");
+  contacts_ = advertiseMarkers("contacts");
+  locomotive_ = private_node_.advertise<std_msgs::Int32>("locomotive", 1, true);
+  // Latched, although /tf seldom is: all frames of this node are in one message, so who comes while the train is held
+  // gets them all.
+  tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10, true);
+}
+
+void TrainMarkers::listenToLocomotive() {
+  adhesion_.reset();
+  adhesion_subscriber_ = node_.subscribe<train_msgs::Adhesion>(
+      "/loco_" + std::to_string(options_.locomotive) + "/adhesion", 1,
+      [this](const train_msgs::Adhesion::ConstPtr& msg) { adhesion_ = msg; }, {}, ros::TransportHints().tcpNoDelay());
+  std_msgs::Int32 chosen;
+  chosen.data = options_.locomotive;
+  locomotive_.publish(chosen);
+}
+
+void TrainMarkers::onChoice(const std_msgs::Int32& msg) {
+  if (msg.data < 1 || msg.data > kMostLocomotives) {
+    ROS_ERROR("train_markers: ~choose_locomotive: %d: must be a whole number from 1, from the head", msg.data);
+    listenToLocomotive();  // tells who asked that nothing has changed
+    return;
+  }
+  if (msg.data == options_.locomotive) return;
+  options_.locomotive = msg.data;
+  for (const ros::Publisher& publisher : {train_, contacts_}) publisher.publish(clearingMsg());
+  listenToLocomotive();
+  tellMissing();
+  state_is_new_ = true;
+}
+
+/// Says so if the train has no such locomotive.
+void TrainMarkers::tellMissing() const {
+  if (!run_ || options_.locomotive <= static_cast<int>(run_->outline.locomotives.size())) return;
+  ROS_WARN("train_markers: locomotive %d: %s has %zu locomotives; its train is shown without contacts",
+           options_.locomotive, run_->outline.name.c_str(), run_->outline.locomotives.size());
 }
 
 void TrainMarkers::onConfiguration(const train_msgs::RunConfiguration& msg) {
@@ -56,9 +100,7 @@ void TrainMarkers::onConfiguration(const train_msgs::RunConfiguration& msg) {
     ROS_ERROR("train_markers: cannot show %s: %s", msg.scenario.c_str(), error.what());
     return;
   }
-  if (options_.locomotive > static_cast<int>(run_->outline.locomotives.size()))
-    ROS_WARN("train_markers: ~locomotive = %d: %s has %zu locomotives; its train is shown without contacts",
-             options_.locomotive, msg.scenario.c_str(), run_->outline.locomotives.size());
+  tellMissing();
   track_.publish(toMsg(computeTrackShape(run_->outline.track, run_->world)));
   ROS_INFO("train_markers: shows %s: %zu vehicles on %s", msg.scenario.c_str(), run_->outline.vehicles.size(),
            run_->outline.track.name().c_str());
@@ -67,12 +109,12 @@ void TrainMarkers::onConfiguration(const train_msgs::RunConfiguration& msg) {
 void TrainMarkers::onTimer(const ros::WallTimerEvent&) {
   if (!run_) return;
   try {
-    if (state_) showTrain(*state_);
+    if (state_ && state_is_new_) showTrain(*state_);
     if (adhesion_) showContacts(*adhesion_);
   } catch (const std::exception& error) {
     ROS_ERROR_THROTTLE(1.0, "train_markers: %s", error.what());
   }
-  state_.reset();
+  state_is_new_ = false;
   adhesion_.reset();
 }
 
@@ -87,11 +129,8 @@ void TrainMarkers::showTrain(const train_msgs::TrainState& msg) {
   const std::string text = computeCaption(fromMsg(msg), options_.locomotive);
   train_.publish(toTrainMsg(shape, captionsAbove(frameOf(run_->world.at(msg.location)), text)));
   couplers_.publish(toCouplersMsg(shape));
-  const tf2_msgs::TFMessage frames = computeFrames(msg);
-  const bool repeated =
-      !frames_.transforms.empty() && frames_.transforms.front().header.stamp == frames.transforms.front().header.stamp;
-  frames_ = frames;
-  if (!repeated) tf_.publish(frames_);  // tf2 warns of a stamp that it has
+  frames_stamp_ = stampAfter(frames_stamp_, msg.header.stamp);
+  tf_.publish(computeFrames(msg, frames_stamp_));
 }
 
 void TrainMarkers::showContacts(const train_msgs::Adhesion& msg) {
@@ -102,13 +141,13 @@ void TrainMarkers::showContacts(const train_msgs::Adhesion& msg) {
 }
 
 /// For cameras: the track's frame at the leading and at the chosen locomotive.
-tf2_msgs::TFMessage TrainMarkers::computeFrames(const train_msgs::TrainState& msg) const {
+tf2_msgs::TFMessage TrainMarkers::computeFrames(const train_msgs::TrainState& msg, ros::Time stamp) const {
   tf2_msgs::TFMessage frames;
-  frames.transforms.push_back(toMsg(msg.header.stamp, "train", frameOf(run_->world.at(msg.location))));
+  frames.transforms.push_back(toMsg(stamp, "train", frameOf(run_->world.at(msg.location))));
   const auto i = static_cast<std::size_t>(options_.locomotive - 1);
   if (i < run_->outline.locomotives.size()) {
     const double location_m = msg.vehicle_location[run_->outline.locomotives[i]];
-    frames.transforms.push_back(toMsg(msg.header.stamp, "chosen_locomotive", frameOf(run_->world.at(location_m))));
+    frames.transforms.push_back(toMsg(stamp, "chosen_locomotive", frameOf(run_->world.at(location_m))));
   }
   return frames;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/ros.h>
+#include <std_msgs/Int32.h>
 #include <tf2_msgs/TFMessage.h>
 #include <train_msgs/Adhesion.h>
 #include <train_msgs/RunConfiguration.h>
@@ -16,22 +17,27 @@ namespace viz {
 
 /// Shows a run in rviz: listens to /train/configuration, /train/state and /loco_i/adhesion, publishes markers and the
 /// frames `train` and `chosen_locomotive`, no more often than `rate_hz` of wall time, and nothing while nothing new has
-/// come. docs/watch.md says what is on which topic.
+/// come. It keeps the choice of the locomotive for all who look: who wants another one asks on ~choose_locomotive,
+/// which one it is comes on ~locomotive. docs/watch.md says what is on which topic.
 class TrainMarkers {
  public:
+  static constexpr int kMostLocomotives = 5000;
   struct Options {
-    int locomotive = 1;     ///< whose contacts are shown, from 1 at the head
+    int locomotive = 1;     ///< whose contacts are shown to begin with, from 1 at the head
     double rate_hz = 20.0;  ///< of wall time
   };
   explicit TrainMarkers(const Options& options);
 
  private:
   void onConfiguration(const train_msgs::RunConfiguration& msg);
+  void onChoice(const std_msgs::Int32& msg);
   void onTimer(const ros::WallTimerEvent&);
   void showTrain(const train_msgs::TrainState& msg);
   void showContacts(const train_msgs::Adhesion& msg);
-  tf2_msgs::TFMessage computeFrames(const train_msgs::TrainState& msg) const;
+  tf2_msgs::TFMessage computeFrames(const train_msgs::TrainState& msg, ros::Time stamp) const;
   void advertise();
+  void listenToLocomotive();
+  void tellMissing() const;
 
   /// The run that is shown; the world refers to the outline's track, so both stay where they are.
   struct Run {
@@ -42,12 +48,13 @@ class TrainMarkers {
 
   Options options_;
   std::unique_ptr<const Run> run_;
-  train_msgs::TrainState::ConstPtr state_;   ///< newest, not shown yet
-  train_msgs::Adhesion::ConstPtr adhesion_;  ///< likewise
-  tf2_msgs::TFMessage frames_;               ///< last ones, for who comes late
+  train_msgs::TrainState::ConstPtr state_;   ///< newest
+  bool state_is_new_ = false;                ///< not shown yet
+  train_msgs::Adhesion::ConstPtr adhesion_;  ///< newest, not shown yet
+  ros::Time frames_stamp_;                   ///< of the last frames
   ros::NodeHandle node_, private_node_{"~"};
-  ros::Publisher track_, train_, couplers_, contacts_, tf_;
-  ros::Subscriber configuration_subscriber_, state_subscriber_, adhesion_subscriber_;
+  ros::Publisher track_, train_, couplers_, contacts_, tf_, locomotive_;
+  ros::Subscriber configuration_subscriber_, state_subscriber_, adhesion_subscriber_, choice_subscriber_;
   ros::WallTimer timer_;
 };
 

@@ -54,8 +54,19 @@ std::string wordFor(TrainStatus::Phase phase) {
   return "in a phase that this panel does not know";
 }
 
+bool ended(TrainStatus::Phase phase) {
+  using Phase = TrainStatus::Phase;
+  return phase != Phase::kJoining && phase != Phase::kHeld && phase != Phase::kRunning;
+}
+
+std::string phaseWords(const std::optional<TrainStatus>& status, double silence_s) {
+  if (!status) return "nothing heard of it";
+  const bool missing = silence_s > kSilence_s && !ended(status->phase);
+  return wordFor(status->phase) + (missing ? format(" (silent for %.0f s)", silence_s) : "");
+}
+
 StatusWords describe(const TrainStatus& status) {
-  return {format("%.2f s", status.time_s), format("%.4f km", 1e-3 * status.place_m),
+  return {format("%.3f s", status.time_s), format("%.4f km", 1e-3 * status.place_m),
           format("%.1f times real time", status.real_time_factor),
           status.time_left_s < 0.0 ? "not known" : duration(status.time_left_s), joinedOf(status.joined)};
 }
@@ -63,11 +74,8 @@ StatusWords describe(const TrainStatus& status) {
 AllowedCommands allowedCommands(const std::optional<TrainStatus>& status, double silence_s, bool busy) {
   AllowedCommands allowed;
   if (!status || busy || silence_s > kSilence_s) return allowed;
-  using Phase = TrainStatus::Phase;
-  const bool ended =
-      status->phase != Phase::kJoining && status->phase != Phase::kHeld && status->phase != Phase::kRunning;
-  if (ended) return allowed;
-  allowed.hold = status->phase != Phase::kHeld;
+  if (ended(status->phase)) return allowed;
+  allowed.hold = status->phase != TrainStatus::Phase::kHeld;
   allowed.run = allowed.pace = allowed.stop = true;
   return allowed;
 }

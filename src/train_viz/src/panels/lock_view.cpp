@@ -1,6 +1,5 @@
 #include "lock_view.hpp"
 
-#include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMessageBox>
@@ -51,35 +50,41 @@ const char* colourOf(TrainStatus::Phase phase) {
 LockView::LockView(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->addLayout(buildStatus());
+  column->addWidget(answer_ = wrappedLabel());  // above the buttons: below them it would be scrolled out of sight
   column->addLayout(buildControls());
-  column->addWidget(answer_ = wrappedLabel());
   column->addStretch();
   answer_->setObjectName("answer");
+  answer_->setMinimumHeight(2 * answer_->fontMetrics().lineSpacing());  // so that buttons do not move when it comes
   refresh();
 }
 
 QLayout* LockView::buildStatus() {
-  auto* form = new QFormLayout;
-  form->setVerticalSpacing(2);
-  const auto add = [form](const QString& label, const char* name) {
+  auto* grid = new QGridLayout;
+  grid->setVerticalSpacing(2);
+  const auto add = [grid](int row, int column, int span, const QString& label, const char* name) {
     QLabel* value = wrappedLabel();
     value->setObjectName(name);
-    form->addRow(label, value);
+    grid->addWidget(new QLabel(label), row, column, Qt::AlignTop);
+    grid->addWidget(value, row, column + 1, 1, span, Qt::AlignTop);
     return value;
   };
-  phase_ = add("Train", "phase");
-  reason_ = add("Reason", "reason");
-  time_ = add("Time", "time");
-  place_ = add("Place", "place");
-  factor_ = add("Speed of the run", "real_time_factor");
-  left_ = add("Time left", "time_left");
-  joined_ = add("Locomotives", "joined");
+  phase_ = add(0, 0, 1, "Train", "phase");
+  joined_ = add(0, 2, 1, "Locomotives", "joined");
+  reason_ = add(1, 0, 3, "", "reason");
+  time_ = add(2, 0, 1, "Time", "time");
+  place_ = add(2, 2, 1, "Place", "place");
+  factor_ = add(3, 0, 1, "Runs at", "real_time_factor");
+  left_ = add(3, 2, 1, "Time left", "time_left");
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
   notes_ = new QPlainTextEdit;
   notes_->setObjectName("notes");
   notes_->setReadOnly(true);
+  notes_->setToolTip("What a reader of the results should know");
   notes_->setMaximumHeight(notes_->fontMetrics().lineSpacing() * kNoteLines + 12);
-  form->addRow("Notes", notes_);
-  return form;
+  notes_->hide();  // until there are some
+  grid->addWidget(notes_, 4, 0, 1, 4);
+  return grid;
 }
 
 QPushButton* LockView::addButton(const QString& name, const QString& text, const QString& tip) {
@@ -96,7 +101,7 @@ QLayout* LockView::buildControls() {
   to_place_ = addButton("to_place", "Run to place", "Until the leading locomotive is there, then hold");
   to_time_ = addButton("to_time", "Run to time", "Of simulation, since the run's start; then hold");
   set_pace_ = addButton("set_pace", "Set pace", "At most so many times real time; 0: as fast as it goes");
-  stop_ = addButton("stop", "Stop the run ...", "Ends it in good order; it cannot be resumed");
+  stop_ = addButton("stop", "Stop ...", "Ends the run in good order; it cannot be resumed");
   steps_ = new QSpinBox;
   steps_->setObjectName("steps");
   steps_->setRange(1, kMostSteps);
@@ -104,15 +109,16 @@ QLayout* LockView::buildControls() {
   time_s_ = spinBox("time_s", 0.0, kLongest_s, 2, 10.0, " s");
   pace_ = spinBox("pace", 0.0, kFastest, 1, 1.0, " x real time");
   pace_->setSpecialValueText("as fast as it goes");
-  auto* grid = new QGridLayout;
-  QWidget* const rows[][2] = {
-      {hold_, run_}, {steps_, step_}, {place_km_, to_place_}, {time_s_, to_time_}, {pace_, set_pace_}};
-  int row = 0;
+  auto* grid = new QGridLayout;  // of six columns: three buttons, or a number and its button
+  grid->setVerticalSpacing(3);   // a laptop's screen is low
+  int column = 0;
+  for (QPushButton* button : {hold_, run_, stop_}) grid->addWidget(button, 0, 2 * column++, 1, 2);
+  QWidget* const rows[][2] = {{steps_, step_}, {place_km_, to_place_}, {time_s_, to_time_}, {pace_, set_pace_}};
+  int row = 1;
   for (const auto& pair : rows) {
-    grid->addWidget(pair[0], row, 0);
-    grid->addWidget(pair[1], row++, 1);
+    grid->addWidget(pair[0], row, 0, 1, 3);
+    grid->addWidget(pair[1], row++, 3, 1, 3);
   }
-  grid->addWidget(stop_, row, 0, 1, 2);
   connect(hold_, &QPushButton::clicked, this, [this] { Q_EMIT requested("HOLD", 0.0); });
   connect(run_, &QPushButton::clicked, this, [this] { Q_EMIT requested("RUN", 0.0); });
   connect(step_, &QPushButton::clicked, this, [this] { Q_EMIT requested("STEP", steps_->value()); });
@@ -142,7 +148,6 @@ void LockView::show(const TrainStatus& status) {
   status_ = status;
   since_status_.start();
   const StatusWords words = describe(status);
-  reason_->setText(QString::fromStdString(status.reason));
   time_->setText(QString::fromStdString(words.time));
   place_->setText(QString::fromStdString(words.place));
   factor_->setText(QString::fromStdString(words.real_time_factor));
@@ -152,6 +157,7 @@ void LockView::show(const TrainStatus& status) {
   for (const std::string& note : status.notes) notes << QString::fromStdString(note);
   const QString text = notes.join('\n');
   if (text != notes_->toPlainText()) notes_->setPlainText(text);
+  notes_->setVisible(!text.isEmpty());
   refresh();
 }
 
@@ -172,9 +178,8 @@ void LockView::refresh() {
   for (QPushButton* button : {run_, step_, to_place_, to_time_}) button->setEnabled(allowed.run);
   set_pace_->setEnabled(allowed.pace);
   stop_->setEnabled(allowed.stop);
-  QString phase = status_ ? QString::fromStdString(wordFor(status_->phase)) : QString("nothing heard of it");
-  if (status_ && silence_s > kSilence_s) phase += QString(" (silent for %1 s)").arg(silence_s, 0, 'f', 0);
-  phase_->setText(phase);
+  phase_->setText(QString::fromStdString(phaseWords(status_, silence_s)));
+  reason_->setText(QString::fromStdString(status_ ? status_->reason : kNoTrain));
   phase_->setStyleSheet(QString("font-weight: bold; color: %1").arg(status_ ? colourOf(status_->phase) : "#1A1A1A"));
 }
 

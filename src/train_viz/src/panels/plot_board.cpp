@@ -32,6 +32,8 @@ PlotBoard::PlotBoard(QWidget* parent)
       line_(new QLabel),
       timer_(new QTimer(this)) {
   locomotive_->setRange(1, kMostLocomotives);
+  locomotive_->setObjectName("locomotive");
+  locomotive_->setKeyboardTracking(false);  // "12" is not first 1, then 12
   locomotive_->setToolTip("From the head: of which energy, adhesion and notch are shown");
   auto* export_button = new QToolButton;
   export_button->setText("Export");
@@ -68,11 +70,16 @@ PlotBoard::PlotBoard(QWidget* parent)
 void PlotBoard::setSettings(const PlotSettings& settings) {
   if (settings.state_topic != settings_.state_topic || settings.energy_topic != settings_.energy_topic) data_.clear();
   settings_ = settings;
-  data_.setLocomotive(settings.locomotive);
-  locomotive_->blockSignals(true);
-  locomotive_->setValue(settings.locomotive);
-  locomotive_->blockSignals(false);
+  setLocomotive(settings.locomotive);
   build();
+}
+
+void PlotBoard::setLocomotive(int locomotive) {
+  settings_.locomotive = locomotive;
+  data_.setLocomotive(locomotive);
+  locomotive_->blockSignals(true);
+  locomotive_->setValue(locomotive);
+  locomotive_->blockSignals(false);
 }
 
 void PlotBoard::build() {

@@ -28,6 +28,8 @@ class PlotBoard : public QWidget {
   const PlotSettings& settings() const { return settings_; }
   /// Takes settings over without telling of it.
   void setSettings(const PlotSettings& settings);
+  /// Shows another locomotive, without telling of it.
+  void setLocomotive(int locomotive);
   /// Says something in the line below the plots.
   void tell(const QString& text);
 

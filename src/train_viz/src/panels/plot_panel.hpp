@@ -2,6 +2,7 @@
 
 #include <ros/ros.h>
 #include <rviz/panel.h>
+#include <std_msgs/Int32.h>
 #include <std_msgs/String.h>
 #include <train_msgs/Adhesion.h>
 #include <train_msgs/RunConfiguration.h>
@@ -26,15 +27,20 @@ class PlotPanel : public rviz::Panel {
 
  private:
   void subscribe();
+  void advertiseChoice();
+  void tellChoice();
   void onState(const train_msgs::TrainState& msg);
   void onEnergy(const train_msgs::TrainEnergy& msg);
   void onAdhesion(const train_msgs::Adhesion& msg);
   void onConfiguration(const train_msgs::RunConfiguration& msg);
+  void onLocomotive(const std_msgs::Int32& msg);
   void onExport(const std_msgs::String& msg);
 
   PlotBoard* board_;
   ros::NodeHandle node_;
-  ros::Subscriber state_, energy_, adhesion_, configuration_, export_;
+  ros::Subscriber state_, energy_, adhesion_, configuration_, locomotive_, export_;
+  ros::Publisher choice_;
+  int known_choice_ = 0;  ///< the locomotive that was told or heard last
 };
 
 }  // namespace viz

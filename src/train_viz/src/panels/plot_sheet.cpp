@@ -15,16 +15,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../plots/legend_corner.hpp"
+
 namespace viz {
 
 namespace {
 
 constexpr int kPngWidth = 1200, kPngHeight = 750;   // chosen: a page's width with readable letters
-constexpr int kTextPoints = 10, kLegendPoints = 9;  // chosen: readable at 1600 x 900
-constexpr int kPixelsANumber = 90;                  // chosen: between numbers at an axis
-constexpr int kLegendRows = 4;                      // chosen: more in two columns
-constexpr double kBehind = 15.0;                    // between Qwt's grid, 10, and its curves, 20
-constexpr double kLeastRightAxis = 8.0;             // chosen: notches, of which there are mostly eight
+constexpr int kTextPoints = 10, kLegendPoints = 9;  // chosen: readable at 1280 x 800
+constexpr int kLowSheet = 230, kLowPoints = 8,
+              kTitleLine = 20;           // below that height the longest axis title would be cut
+constexpr int kPixelsANumber = 90;       // chosen: between numbers at an axis
+constexpr int kLegendRows = 4;           // chosen: more in two columns
+constexpr double kBehind = 15.0;         // between Qwt's grid, 10, and its curves, 20
+constexpr double kLeastRightAxis = 8.0;  // chosen: notches, of which there are mostly eight
 
 /// Okabe and Ito's colours, which colour-blind people tell apart; the black one last.
 QColor colourOf(int number) {
@@ -42,6 +46,22 @@ QwtText textOf(const std::string& text, int points, bool bold) {
   font.setBold(bold);
   label.setFont(font);
   return label;
+}
+
+/// With the remark below it if there are curves, which it would lie on.
+QwtText titleOf(const PlotData& plot) {
+  QwtText title = textOf(plot.title, kTextPoints, true);
+  if (!plot.remark.empty() && !plot.empty()) {
+    const auto escaped = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
+    const QString text =
+        QString("<b>%1</b><br><font color=\"#777777\">%2</font>").arg(escaped(plot.title), escaped(plot.remark));
+    title.setText(text, QwtText::RichText);
+    QFont font = title.font();
+    font.setBold(false);
+    title.setFont(font);
+  }
+  title.setRenderFlags(Qt::AlignHCenter | Qt::TextWordWrap);
+  return title;
 }
 
 QVector<QPointF> pointsOf(const Curve& curve) {
@@ -121,6 +141,8 @@ Qt::Alignment alignmentOf(LegendCorner corner) {
       return Qt::AlignLeft | Qt::AlignTop;
     case LegendCorner::kTopRight:
       return Qt::AlignRight | Qt::AlignTop;
+    case LegendCorner::kBottomLeft:
+      return Qt::AlignLeft | Qt::AlignBottom;
     case LegendCorner::kBottomRight:
       break;
   }
@@ -160,31 +182,31 @@ void PlotSheet::makeItems() {
     if (curve.in_legend) ++named;
   }
   legend_->setMaxColumns(named > kLegendRows ? 2 : 1);
-  legend_->setAlignment(alignmentOf(shown_.legend));
 }
 
 void PlotSheet::show(const PlotData& plot) {
   const bool same_items = alike(shown_, plot);
   shown_ = plot;
   if (!same_items) makeItems();
-  QwtText title = textOf(plot.title, kTextPoints, true);
-  title.setRenderFlags(Qt::AlignHCenter | Qt::TextWordWrap);
-  setTitle(title);
-  setAxisTitle(xBottom, textOf(plot.x_title, kTextPoints, false));
-  setAxisTitle(yLeft, textOf(plot.y_title, kTextPoints, false));
+  legend_->setAlignment(alignmentOf(emptiestCorner(plot)));
+  setTitle(titleOf(plot));
   enableAxis(yRight, !plot.right_title.empty());
-  setAxisTitle(yRight, textOf(plot.right_title, kTextPoints, false));
   for (std::size_t i = 0; i < items_.size(); ++i) items_[i]->setSamples(pointsOf(plot.curves[i]));
   scaleAxes(size());
-  QwtText remark = textOf(plot.remark, kTextPoints, false);
+  QwtText remark = textOf(plot.empty() ? plot.remark : "", kTextPoints, false);
   remark.setColor(Qt::darkGray);
-  remark.setRenderFlags(Qt::TextWordWrap | (plot.empty() ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignTop));
+  remark.setRenderFlags(Qt::TextWordWrap | Qt::AlignCenter);
   remark_->setText(remark);
   replot();
 }
 
-/// A margin around the points, and no more numbers at the axes than there is room for.
+/// Titles that fit, a margin around the points, and no more numbers at the axes than there is room for.
 void PlotSheet::scaleAxes(const QSize& size) {
+  const bool two_lines = !shown_.remark.empty() && !shown_.empty();  // of the title
+  const int points = size.height() < kLowSheet + (two_lines ? kTitleLine : 0) ? kLowPoints : kTextPoints;
+  setAxisTitle(xBottom, textOf(shown_.x_title, points, false));
+  setAxisTitle(yLeft, textOf(shown_.y_title, points, false));
+  setAxisTitle(yRight, textOf(shown_.right_title, points, false));
   for (const int axis : {xBottom, yLeft, yRight}) {
     const bool along = axis == xBottom;
     Bounds bounds = boundsOf(axis, shown_);

@@ -22,6 +22,11 @@ SettingsDialog::SettingsDialog(const PlotSettings& settings, QWidget* parent) : 
   adhesion_ =
       addLine("Adhesion", settings.adhesion_topic, "train_msgs/Adhesion; {} stands for the locomotive's number");
   configuration_ = addLine("Configuration", settings.configuration_topic, "train_msgs/RunConfiguration");
+  locomotive_ =
+      addLine("Chosen locomotive", settings.locomotive_topic,
+              "std_msgs/Int32: the locomotive that all who look have chosen; empty: this panel chooses alone");
+  choice_ = addLine("Choose it by", settings.choice_topic,
+                    "std_msgs/Int32: where this panel's choice is sent; empty: it is not");
   export_ = addLine("Export to", settings.export_topic,
                     "std_msgs/String: a folder's name has all plots written into it; empty: off");
   for (const PlotKind kind : allPlots()) {
@@ -45,6 +50,8 @@ PlotSettings SettingsDialog::settings() const {
   settings.energy_topic = energy_->text().trimmed().toStdString();
   settings.adhesion_topic = adhesion_->text().trimmed().toStdString();
   settings.configuration_topic = configuration_->text().trimmed().toStdString();
+  settings.locomotive_topic = locomotive_->text().trimmed().toStdString();
+  settings.choice_topic = choice_->text().trimmed().toStdString();
   settings.export_topic = export_->text().trimmed().toStdString();
   settings.grid = grid_->isChecked();
   settings.plots.clear();

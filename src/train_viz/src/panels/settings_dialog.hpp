@@ -18,7 +18,7 @@ class SettingsDialog : public QDialog {
 
  private:
   PlotSettings before_;
-  QLineEdit *state_, *energy_, *adhesion_, *configuration_, *export_;
+  QLineEdit *state_, *energy_, *adhesion_, *configuration_, *locomotive_, *choice_, *export_;
   QCheckBox* grid_;
   std::map<PlotKind, QCheckBox*> plots_;
 };

@@ -27,16 +27,15 @@ struct Curve {
   double width = 2.0;  ///< of a line, in pixels
 };
 
-/// Where the legend hides least.
-enum class LegendCorner { kTopLeft, kTopRight, kBottomRight };
+enum class LegendCorner { kTopLeft, kTopRight, kBottomRight, kBottomLeft };
 
 /// All that is seen of a plot: what draws it needs to know nothing of trains. Titles carry their units.
 struct PlotData {
   std::string title, x_title, y_title;
-  std::string right_title;                        ///< empty: no axis at the right
-  double least_x_span = 0.0, least_y_span = 0.0;  ///< so that noise does not fill the frame
-  std::string remark;                             ///< why something is missing; empty if nothing is
-  LegendCorner legend = LegendCorner::kBottomRight;
+  std::string right_title;                           ///< empty: no axis at the right
+  double least_x_span = 0.0, least_y_span = 0.0;     ///< so that noise does not fill the frame
+  std::string remark;                                ///< why something is missing; empty if nothing is
+  LegendCorner legend = LegendCorner::kBottomRight;  ///< where it hides nothing in most runs
   std::vector<Curve> curves;
 
   bool empty() const {

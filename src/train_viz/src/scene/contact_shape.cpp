@@ -37,7 +37,8 @@ ContactShape computeContactShape(const rail::WorldTrack& world, double location_
     shape.normal_forces.push_back(arrowOf(X_WP, {0.0, 0.0, contact.normal_N}, kNormal));
     shape.creep_forces.push_back(arrowOf(X_WP, {contact.longitudinal_N, contact.lateral_N, 0.0}, colour));
     if (contact.a_m > 0.0 && contact.b_m > 0.0)
-      shape.patches.push_back({X_WP, 2.0 * kPatchScale * contact.a_m, 2.0 * kPatchScale * contact.b_m, colour});
+      shape.patches.push_back(
+          {X_WP, {2.0 * kPatchScale * contact.a_m, 2.0 * kPatchScale * contact.b_m, kPatchThickness_m}, colour});
   }
   return shape;
 }

@@ -21,7 +21,7 @@ constexpr double kPostSpacing_m = 100.0;
 constexpr double kLongLine_m = 30.0e3;  // chosen: on a longer one only every km has a post
 constexpr double kNearLetters_m = 2.0;  // chosen: read from where one looks at a few vehicles
 constexpr double kNearOffset_m = 4.5;
-constexpr double kFarLetters_m = 32.0;  // chosen: read from above a train of 1.6 km; so high that near views miss it
+constexpr double kFarLetters_m = 45.0;  // chosen: read from above a train of 1.6 km; so high that near views miss it
 constexpr double kFarOffset_m = 70.0;
 constexpr double kFarHeight_m = 150.0;
 

@@ -1,5 +1,7 @@
 #include "train_viz/train_shape.hpp"
 
+#include <cmath>
+
 #include "train_viz/colour_scale.hpp"
 
 namespace viz {
@@ -11,6 +13,7 @@ constexpr double kWidth_m = 2.9;
 constexpr double kFloor_m = 1.15;
 constexpr double kLocoTop_m = 4.2;
 constexpr double kWagonTop_m = 3.1;
+constexpr double kRoofGap_m = 0.03;  // so that the box's own top is hidden from 500 m, too
 constexpr double kBogieWidth_m = 2.3;
 constexpr double kBogieBottom_m = 0.35;
 constexpr double kBogieEnds_m = 1.2;  // both, beyond the outer axles
@@ -23,40 +26,70 @@ constexpr Colour kLoco{0.95, 0.6, 0.1, 1.0};
 constexpr Colour kChosenLoco{1.0, 0.78, 0.25, 1.0};
 constexpr Colour kWagon{0.36, 0.46, 0.42, 1.0};
 constexpr Colour kBogie{0.16, 0.16, 0.18, 1.0};
-constexpr Colour kGlassBogie{0.3, 0.3, 0.35, 0.25};
-constexpr Colour kGlassWheel{0.55, 0.58, 0.62, 0.35};
+constexpr Colour kGlassBogie{0.3, 0.3, 0.35, 0.3};
+constexpr Colour kGlassWheel{0.6, 0.63, 0.68, 0.45};
 
-Box boxOn(const rail::WorldTrack& world, double s_m, double length_m, double width_m, double bottom_m, double top_m,
+/// @param X_WT  frame on the rail tops below it
+Box boxOn(const Eigen::Isometry3d& X_WT, double length_m, double width_m, double bottom_m, double top_m,
           const Colour& colour) {
   Box box;
-  box.X_WB = frameOf(world.at(s_m)) * Eigen::Translation3d(0.0, 0.0, 0.5 * (bottom_m + top_m));
+  box.X_WB = X_WT * Eigen::Translation3d(0.0, 0.0, 0.5 * (bottom_m + top_m));
   box.size_m = Eigen::Vector3d(length_m, width_m, top_m - bottom_m);
   box.colour = colour;
   return box;
 }
 
+/// The frame of a body on the rail tops: x along the chord from the rear bogie's place to the front one's, upright as
+/// the line is at both, origin where the CoG is between them.
+Eigen::Isometry3d chordFrame(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m) {
+  const double front_m = vehicle.bogies.front().x_m, rear_m = vehicle.bogies.back().x_m;
+  const Eigen::Isometry3d X_WF = frameOf(world.at(s_m + front_m)), X_WR = frameOf(world.at(s_m + rear_m));
+  const Eigen::Vector3d chord = X_WF.translation() - X_WR.translation();
+  const Eigen::Vector3d x = chord.normalized();
+  const Eigen::Vector3d y = (X_WF.linear().col(2) + X_WR.linear().col(2)).cross(x).normalized();
+  Eigen::Isometry3d X_WT = Eigen::Isometry3d::Identity();
+  X_WT.translation() = X_WR.translation() - rear_m / (front_m - rear_m) * chord;
+  X_WT.linear() << x, y, x.cross(y);
+  return X_WT;
+}
+
 Box bodyOf(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, bool chosen) {
   const Colour colour = !vehicle.locomotive ? kWagon : chosen ? kChosenLoco : kLoco;
-  return boxOn(world, s_m, vehicle.length_m - kBodyGap_m, kWidth_m, kFloor_m,
+  return boxOn(chordFrame(vehicle, world, s_m), vehicle.length_m - kBodyGap_m, kWidth_m, kFloor_m,
                vehicle.locomotive ? kLocoTop_m : kWagonTop_m, colour);
+}
+
+/// Of the body's full colour: rviz lights a box from where one looks, which leaves its top dark.
+void addRoof(const Box& body, Triangles& roofs) {
+  const Eigen::Vector3d h = 0.5 * body.size_m;
+  const auto corner = [&](double x, double y) -> Eigen::Vector3d {
+    return body.X_WB * Eigen::Vector3d(x * h.x(), y * h.y(), h.z() + kRoofGap_m);
+  };
+  roofs.add(corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0), body.colour);
 }
 
 Box bogieOf(const BogieOutline& bogie, const rail::WorldTrack& world, double s_m, const Colour& colour) {
   const double wheelbase_m = bogie.axles_m.empty() ? 0.0 : bogie.axles_m.front() - bogie.axles_m.back();
-  return boxOn(world, s_m + bogie.x_m, wheelbase_m + kBogieEnds_m, kBogieWidth_m, kBogieBottom_m, kFloor_m, colour);
+  return boxOn(frameOf(world.at(s_m + bogie.x_m)), wheelbase_m + kBogieEnds_m, kBogieWidth_m, kBogieBottom_m, kFloor_m,
+               colour);
 }
 
-void addChosenBogies(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, Triangles& triangles) {
+/// A wheelset: a cylinder's z is the axle's y.
+void addWheelset(const Eigen::Isometry3d& X_WT, double wheel_radius_m, std::vector<Cylinder>& wheels) {
+  const Eigen::Isometry3d X_WA =
+      X_WT * Eigen::Translation3d(0.0, 0.0, wheel_radius_m) * Eigen::AngleAxisd(-0.5 * M_PI, Eigen::Vector3d::UnitX());
+  wheels.push_back({X_WA, {2.0 * kAxleRadius_m, 2.0 * kAxleRadius_m, rail::kCantBaseline_m}, kGlassWheel});
+  for (const double side : {0.5, -0.5})
+    wheels.push_back({X_WA * Eigen::Translation3d(0.0, 0.0, side * rail::kCantBaseline_m),
+                      {2.0 * wheel_radius_m, 2.0 * wheel_radius_m, kWheelWidth_m},
+                      kGlassWheel});
+}
+
+void addChosenBogies(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, TrainShape& shape) {
   for (const BogieOutline& bogie : vehicle.bogies) {
-    triangles.add(bogieOf(bogie, world, s_m, kGlassBogie));
-    for (const double x_m : bogie.axles_m) {
-      const Eigen::Isometry3d X_WA =
-          frameOf(world.at(s_m + x_m)) * Eigen::Translation3d(0.0, 0.0, vehicle.wheel_radius_m);
-      triangles.addCylinder(X_WA, kAxleRadius_m, rail::kCantBaseline_m, kGlassWheel);
-      for (const double side : {0.5, -0.5})
-        triangles.addCylinder(X_WA * Eigen::Translation3d(0.0, side * rail::kCantBaseline_m, 0.0),
-                              vehicle.wheel_radius_m, kWheelWidth_m, kGlassWheel);
-    }
+    shape.chosen_bogies.push_back(bogieOf(bogie, world, s_m, kGlassBogie));
+    for (const double x_m : bogie.axles_m)
+      addWheelset(frameOf(world.at(s_m + x_m)), vehicle.wheel_radius_m, shape.chosen_wheels);
   }
 }
 
@@ -78,13 +111,13 @@ Box couplerBetween(const Eigen::Vector3d& front, const Eigen::Vector3d& rear, do
 /// The band between the line and the forces, from coupler to coupler.
 void addDiagram(const rail::WorldTrack& world, const std::vector<double>& place_m, const std::vector<double>& force_N,
                 Triangles& diagram) {
+  diagram.opacity = kDiagramOpacity;
   for (std::size_t i = 0; i + 1 < place_m.size(); ++i) {
     const Eigen::Isometry3d X_WF = frameOf(world.at(place_m[i])), X_WR = frameOf(world.at(place_m[i + 1]));
     const auto at = [](const Eigen::Isometry3d& X_WT, double y_m) -> Eigen::Vector3d {
       return X_WT * Eigen::Vector3d(0.0, y_m, kDiagramHeight_m);
     };
-    Colour colour = couplerColour(0.5 * (force_N[i] + force_N[i + 1]));
-    colour.a = kDiagramOpacity;
+    const Colour colour = couplerColour(0.5 * (force_N[i] + force_N[i + 1]));
     diagram.add(at(X_WR, 0.0), at(X_WF, 0.0), at(X_WF, kDiagram_m_per_N * force_N[i]),
                 at(X_WR, kDiagram_m_per_N * force_N[i + 1]), colour);
   }
@@ -101,8 +134,9 @@ TrainShape computeTrainShape(const TrainOutline& outline, const rail::WorldTrack
     const double s_m = vehicle_location_m[i];
     const bool is_chosen = vehicle.locomotive == chosen;
     shape.bodies.push_back(bodyOf(vehicle, world, s_m, is_chosen));
+    addRoof(shape.bodies.back(), shape.roofs);
     if (is_chosen) {
-      addChosenBogies(vehicle, world, s_m, shape.chosen_bogies);
+      addChosenBogies(vehicle, world, s_m, shape);
     } else {
       for (const BogieOutline& bogie : vehicle.bogies) shape.bogies.push_back(bogieOf(bogie, world, s_m, kBogie));
     }

@@ -13,8 +13,12 @@ import unittest
 import rosgraph
 import rospy
 import rostest
+from std_msgs.msg import Int32
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..'))
+from screen import start_screen  # noqa: E402
 
 REPO = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', '..', '..'))
 SCENARIO = os.path.join(REPO, 'config', 'scenarios', 'paper_3d.yaml')
@@ -58,8 +62,10 @@ def faults_of(marker):
         faults.append('frame')
     if marker.type in (Marker.LINE_STRIP, Marker.TRIANGLE_LIST) and len(marker.points) < 2:
         faults.append('points')
-    if marker.type == Marker.TRIANGLE_LIST and (len(marker.points) % 3 or len(marker.points) != len(marker.colors)):
+    if marker.type == Marker.TRIANGLE_LIST and len(marker.points) != 3 * len(marker.colors):
         faults.append('triangles')
+    if marker.type in (Marker.CUBE, Marker.CYLINDER) and min(marker.scale.x, marker.scale.y, marker.scale.z) <= 0.0:
+        faults.append('size')
     if marker.type == Marker.TEXT_VIEW_FACING and not marker.text:
         faults.append('text')
     return faults
@@ -109,8 +115,8 @@ class RvizTest(unittest.TestCase):
         self.assertLessEqual({'train', 'loco_1/wheelset_6', 'loco_3/car_body'}, set(self.frames))
         self.assertEqual(set(self.shown('track')), {'bed', 'left_rail', 'right_rail', 'centre', 'posts'})
         train = self.shown('train')
-        self.assertEqual(set(train), {'bodies', 'bogies', 'chosen_bogies', 'text'})
-        self.assertEqual(len(train['bodies'][0].points), 108 * 36)
+        self.assertEqual({name: len(train[name]) for name in train},
+                         {'bodies': 108, 'bogies': 2 * 107, 'chosen_bogies': 2, 'chosen_wheels': 18, 'roofs': 1, 'text': 2})
         self.assertIn('loco 1: notch 8', train['text'][0].text)
         self.assertEqual(set(self.shown('couplers')), {'couplers', 'diagram'})
         contacts = self.shown('contacts')
@@ -119,7 +125,7 @@ class RvizTest(unittest.TestCase):
         for arrow in contacts['normal']:
             self.assertGreater(arrow.points[1].z, arrow.points[0].z, 'a rail bears its wheel')
         # 100 states in 2 s of wall time; at most 20 pictures a second, and some slack at either end. Counted by the frame
-        # that comes with each picture: this program reads no 20 pictures of 0.7 MB a second.
+        # that comes with each picture: this program reads no 20 pictures of 430 markers a second.
         self.assertLessEqual(self.frames['train'], RUN_S * 20 + 6)
         self.assertGreaterEqual(self.frames['train'], 10)
 
@@ -127,26 +133,37 @@ class RvizTest(unittest.TestCase):
         missing = [program for program in ('Xvfb', 'rviz', 'import') if shutil.which(program) is None]
         if missing:
             self.skipTest(f'not installed: {", ".join(missing)}; scripts/install_dependencies.sh adds them')
-        read_end, write_end = os.pipe()
-        self.start(['Xvfb', '-displayfd', str(write_end), '-screen', '0', '1280x720x24', '-nolisten', 'tcp'], 'xvfb.log',
-                   pass_fds=[write_end])
-        os.close(write_end)
-        with os.fdopen(read_end) as pipe:
-            display = ':' + pipe.readline().strip()
+        display = start_screen(lambda command, pass_fds: self.start(command, 'xvfb.log', pass_fds=pass_fds), '1280x720')
         screen = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE='1', QT_X11_NO_MITSHM='1',
                       XDG_RUNTIME_DIR=self.folder)
         self.start(['rviz', '-d', LAYOUT, '__name:=rviz'], 'rviz.log', env=screen)
         for topic in TOPICS:
             wait_for(lambda: '/rviz' in subscribers_of(f'/train_markers/{topic}'), f'rviz shows {topic}')
         self.play()
-        # the left sides of the chosen locomotive and of the others, shaded; many more pixels were seen
-        wait_for(lambda: count_pixels(screen, (223, 174, 56)) > 500, 'the chosen locomotive on the screen')
-        wait_for(lambda: count_pixels(screen, (213, 134, 22)) > 200, 'another locomotive on the screen')
+        # the roofs of the chosen locomotive and of the others; many more pixels were seen
+        wait_for(lambda: count_pixels(screen, (255, 199, 64)) > 200, 'the chosen locomotive on the screen')
+        wait_for(lambda: count_pixels(screen, (242, 153, 26)) > 200, 'another locomotive on the screen')
         with open(os.path.join(self.folder, 'rviz.log')) as log:
             errors = [line for line in log if 'ERROR' in line or 'FATAL' in line]
         self.assertEqual(errors, [])
 
-    def test_3_parameters_out_of_range_are_refused_by_name(self):
+    def test_3_one_choice_of_the_locomotive_reaches_markers_and_plots(self):
+        if '/rviz' not in subscribers_of('/train_markers/locomotive'):
+            self.skipTest('rviz does not run')
+        chosen = []
+        rospy.Subscriber('/train_markers/locomotive', Int32, lambda msg: chosen.append(msg.data))
+        choose = rospy.Publisher('/train_markers/choose_locomotive', Int32, queue_size=1)
+        wait_for(lambda: chosen == [1] and choose.get_num_connections(), 'the choice is told')
+        choose.publish(3)
+        wait_for(lambda: {'/rviz', '/train_markers'} <= set(subscribers_of('/loco_3/adhesion')), 'both look at locomotive 3')
+        self.assertEqual(subscribers_of('/loco_1/adhesion'), [])
+        choose.publish(0)
+        wait_for(lambda: len(chosen) == 3, 'an answer to a wrong choice')
+        self.assertEqual(chosen, [1, 3, 3])
+        self.play()
+        wait_for(lambda: 'loco 3: notch 8' in self.shown('train')['text'][0].text, 'the text is of locomotive 3')
+
+    def test_4_parameters_out_of_range_are_refused_by_name(self):
         for parameter in ('locomotive:=0', 'locomotive:=first', 'rate_hz:=1000'):
             name = parameter.split(':=')[0]
             refused = subprocess.run(['rosrun', 'train_viz', 'train_markers', '__name:=refused', '_' + parameter],

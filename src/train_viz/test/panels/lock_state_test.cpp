@@ -52,7 +52,7 @@ TEST(LockStateTest, FiguresHaveTheirUnits) {
   status.time_left_s = 75.4;
   status.joined = {true, false, true, false};
   const StatusWords words = describe(status);
-  EXPECT_EQ(words.time, "12.50 s");
+  EXPECT_EQ(words.time, "12.500 s");
   EXPECT_EQ(words.place, "3.4568 km");
   EXPECT_EQ(words.real_time_factor, "31.4 times real time");
   EXPECT_EQ(words.time_left, "1 min 15 s");
@@ -68,6 +68,16 @@ TEST(LockStateTest, TimeLeftIsNotKnownOrReadable) {
   EXPECT_EQ(describe(status).time_left, "1 min 0 s");
   status.time_left_s = 7260.0;
   EXPECT_EQ(describe(status).time_left, "2 h 1 min");
+}
+
+TEST(LockStateTest, SaysThatATrainIsSilentUnlessItHasEnded) {
+  EXPECT_EQ(phaseWords(std::nullopt, 0.0), "nothing heard of it");
+  TrainStatus status;
+  status.phase = TrainStatus::Phase::kRunning;
+  EXPECT_EQ(phaseWords(status, 1.0), "runs");
+  EXPECT_EQ(phaseWords(status, 12.3), "runs (silent for 12 s)");
+  status.phase = TrainStatus::Phase::kFinished;
+  EXPECT_EQ(phaseWords(status, 12.3), "finished");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QTemporaryDir>
 
@@ -157,11 +158,27 @@ TEST_F(PanelViewTest, SettingsDecideOnPlots) {
   EXPECT_EQ(board.sheet(PlotKind::kTraction), nullptr);
 }
 
+TEST_F(PanelViewTest, ALocomotiveChosenElsewhereIsShownOneChosenHereIsTold) {
+  PlotBoard board;
+  int told = 0;
+  QObject::connect(&board, &PlotBoard::settingsChanged, [&told] { ++told; });
+  auto* number = board.findChild<QSpinBox*>("locomotive");
+  board.setLocomotive(2);
+  EXPECT_EQ(number->value(), 2);
+  EXPECT_EQ(board.data().locomotive(), 2);
+  EXPECT_EQ(told, 0) << "an echo would never end";
+  number->setValue(3);
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(board.settings().locomotive, 3);
+  EXPECT_EQ(adhesionTopicOf(board.settings()), "/loco_3/adhesion");
+}
+
 TEST_F(PanelViewTest, LockButtonsFollowTheTrain) {
   LockView view;
   const auto enabled = [&view](const char* name) { return view.findChild<QPushButton*>(name)->isEnabled(); };
   for (const char* name : {"hold", "run", "step", "to_place", "to_time", "set_pace", "stop"})
     EXPECT_FALSE(enabled(name)) << name;
+  EXPECT_EQ(view.findChild<QLabel*>("reason")->text(), kNoTrain);
   TrainStatus status;
   status.phase = TrainStatus::Phase::kHeld;
   status.place_m = 3456.0;

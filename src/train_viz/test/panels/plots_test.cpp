@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "panels/plot_settings.hpp"
+#include "plots/legend_corner.hpp"
 #include "rail_core/document.hpp"
 
 namespace viz {
@@ -131,6 +132,44 @@ TEST(PlotSettingsTest, TheAdhesionTopicHasTheLocomotivesNumber) {
   EXPECT_EQ(adhesionTopicOf(settings), "/loco_12/adhesion");
   settings.adhesion_topic = "/one/adhesion";
   EXPECT_EQ(adhesionTopicOf(settings), "/one/adhesion");
+}
+
+PlotData lineFrom(double from, double to) {
+  PlotData plot;
+  Curve line{"line", CurveStyle::kLine, 0, false, true, {}};
+  for (int i = 0; i <= 100; ++i) line.points.push_back({3.0 + 0.01 * i, from + 0.01 * i * (to - from)});
+  plot.curves = {line};
+  return plot;
+}
+
+TEST(LegendCornerTest, StaysWhereItHidesNothing) {
+  EXPECT_EQ(emptiestCorner(PlotData()), LegendCorner::kBottomRight);
+  EXPECT_EQ(emptiestCorner(lineFrom(0.0, 400.0)), LegendCorner::kBottomRight);
+  PlotData plot = lineFrom(0.0, 400.0);
+  plot.legend = LegendCorner::kTopLeft;
+  EXPECT_EQ(emptiestCorner(plot), LegendCorner::kTopLeft);
+}
+
+TEST(LegendCornerTest, GivesWayToABrakingTrain) {
+  EXPECT_EQ(emptiestCorner(lineFrom(0.0, -350.0)), LegendCorner::kTopRight);
+  EXPECT_EQ(emptiestCorner(lineFrom(80.0, 0.0)), LegendCorner::kTopRight);
+}
+
+/// Notches that are all 0 lie at the bottom, though they span nothing.
+TEST(LegendCornerTest, NotchesAllZeroAreSeen) {
+  PlotData plot = lineFrom(80.0, 80.0);
+  plot.curves.push_back(lineFrom(0.0, 0.0).curves[0]);
+  plot.curves.back().right_axis = true;
+  plot.curves.push_back(plot.curves.back());
+  EXPECT_EQ(emptiestCorner(plot), LegendCorner::kTopLeft) << "one curve instead of two";
+}
+
+/// Notches are measured on the axis at the right: 8 of 8 is at the top.
+TEST(LegendCornerTest, EachCurveIsPlacedByItsOwnAxis) {
+  PlotData plot = lineFrom(80.0, 0.0);  // leaves top right and bottom left
+  plot.curves.push_back(lineFrom(8.0, 8.0).curves[0]);
+  plot.curves.back().right_axis = true;
+  EXPECT_EQ(emptiestCorner(plot), LegendCorner::kBottomLeft);
 }
 
 }  // namespace

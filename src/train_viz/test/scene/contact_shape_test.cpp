@@ -84,8 +84,8 @@ TEST_F(ContactShapeTest, TheColourTellsHowMuchOfTheFrictionIsUsed) {
 TEST_F(ContactShapeTest, PatchesAreTheEllipseTenfoldAndOnlyWhereItIsKnown) {
   const ContactShape shape = draw(leftFrontWheel());
   ASSERT_EQ(shape.patches.size(), 1U);
-  EXPECT_NEAR(shape.patches[0].length_m, 0.12, 1e-12);
-  EXPECT_NEAR(shape.patches[0].width_m, 0.08, 1e-12);
+  EXPECT_NEAR(shape.patches[0].size_m.x(), 0.12, 1e-12);
+  EXPECT_NEAR(shape.patches[0].size_m.y(), 0.08, 1e-12);
   Contact unknown = leftFrontWheel();
   unknown.a_m = unknown.b_m = 0.0;
   EXPECT_TRUE(draw(unknown).patches.empty());
