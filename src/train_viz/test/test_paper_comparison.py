@@ -269,7 +269,7 @@ class PaperComparisonTest(unittest.TestCase):
     def test_page_tells_residual_configuration_build_and_how_to_reproduce(self):
         page = comparison_page(self.four, {})
         rows = cells_of(page)
-        self.assertIn(['residual / traction at the rail'] + 4 * [f'{RESIDUAL_RELATIVE:+.1e}'], rows)
+        self.assertIn(['residual / traction or brakes, the larger'] + 4 * [f'{RESIDUAL_RELATIVE:+.1e}'], rows)
         self.assertIn(['residual [J]'] + 4 * ['+48.8'], rows)
         self.assertIn(['build'] + 4 * ['test'], rows)
         self.assertIn(['digest of all exchanges', 'cafe1d', 'cafe2d', 'cafe3d', 'cafe3d_two_point'], rows)

@@ -16,7 +16,7 @@ from train_viz.account_figure import draw_energy_account
 from train_viz.bag_reader import read_bag
 from train_viz.coupler_figure import COLUMNS, bin_extremes, draw_coupler_forces
 from train_viz.flow_figure import draw_energy_flow, flows_of
-from train_viz.place_figures import draw_energy, draw_traction_force
+from train_viz.place_figures import draw_energy, draw_speed_notch, draw_traction_force
 
 REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'scripts', 'report')
 COMPARISONS = ('traction_force', 'energy', 'speed_notch', 'energy_account')
@@ -168,6 +168,34 @@ class ReportTest(unittest.TestCase):
         np.testing.assert_allclose(traction.get_ydata(), written['traction'] / 1e3, rtol=1e-12)
         np.testing.assert_allclose(limit.get_ydata(), 460.089, rtol=1e-12)
 
+    def test_adhesion_limit_is_marked_on_the_sides_that_come_near_it(self):
+        write_bag(self.bag, duration_s=60.0)
+        run = read_bag(self.bag)
+        for low, high, marks, words in ((0.0, 460e3, [460.089], 'adhesion limit 0.35 m g = 460.1 kN'),
+                                        (-300e3, 460e3, [460.089, -460.089], 'adhesion limit \u00b10.35 m g = \u00b1460.1 kN'),
+                                        (-300e3, 0.0, [-460.089], 'adhesion limit -0.35 m g = -460.1 kN'),
+                                        (-100e3, 0.0, [], 'adhesion limit 0.35 m g = 460.1 kN, beyond the axis')):
+            run.traction_N[:, 0] = np.linspace(low, high, len(run.time_s))
+            figure = draw_traction_force([run])
+            axes = figure.axes[0]
+            drawn = [line for line in axes.get_lines() if line.get_linestyle() == '--']
+            np.testing.assert_allclose([line.get_ydata()[0] for line in drawn], marks, rtol=1e-12)
+            self.assertIn(words, [text.get_text() for text in figure.legends[0].get_texts()])
+            self.assertEqual('braking < 0' in axes.get_ylabel(), low < 0.0)
+            for mark in marks:
+                self.assertTrue(axes.get_ylim()[0] <= mark <= axes.get_ylim()[1])
+            self.assertEqual(axes.get_ylim()[1] < 460.0, 460.089 not in marks)
+
+    def test_run_without_traction_has_no_energy_picture_and_speed_alone(self):
+        write_bag(self.bag, duration_s=10.0)
+        run = read_bag(self.bag)
+        self.assertEqual(len(draw_speed_notch([run]).axes), 2)
+        for values in (run.loco_energy_rail_J, run.loco_energy_rim_J, run.notch):
+            values[:] = 0.0
+        self.assertIsNone(draw_energy([run]))
+        speed, = draw_speed_notch([run]).axes
+        self.assertIn('notch is 0', speed.get_title())
+
     def test_energy_is_in_MJ_and_kWh(self):
         written = write_bag(self.bag, duration_s=60.0)
         figure = draw_energy([read_bag(self.bag)])
@@ -190,7 +218,7 @@ class ReportTest(unittest.TestCase):
         run = read_bag(self.bag)
         run.account['residual'][-1] = -12.3e3
         cells = [cell.get_text().get_text() for cell in draw_energy_account([run]).axes[1].tables[0].get_celld().values()]
-        for text in ('residual [J]', '-1.23e+04', '60.00', f'{run.speed_mps[-1] * 3.6:.3f}'):
+        for text in ('residual [J]', '-12300', '60.00', f'{run.speed_mps[-1] * 3.6:.3f}'):
             self.assertIn(text, cells)
 
     def test_page_opens_offline_with_every_figure_numbers_and_configuration(self):
@@ -225,9 +253,9 @@ class ReportTest(unittest.TestCase):
         total = [sum(flow[2] for flow in flows) for flows in (sources, losses, sinks)]
         self.assertAlmostEqual(total[0], total[1] + total[2], delta=1e-6 * total[0])  # the residual is 1e-9 of it
         texts = ' '.join(text.get_text() for text in draw_energy_flow(run).axes[0].texts)
-        for words in ('at the rail', 'kinetic, change: ', 'slip loss: ', 'residual', f'{run.speed_kmph[-1]:.2f} km/h'):
+        for words in ('at the rail\n', 'of it traction\n', 'kinetic, change: ', 'slip loss: ', 'residual', f'{run.speed_kmph[-1]:.2f} km/h'):
             self.assertIn(words, texts)
-        self.assertEqual(texts.count(' MJ'), len(sources) + len(losses) + len(sinks) + 1)
+        self.assertEqual(texts.count(' MJ'), len(sources) + len(losses) + len(sinks) + 2)
 
     def test_coupler_map_is_symmetric_and_keeps_peaks(self):
         write_bag(self.bag, duration_s=60.0)
