@@ -28,7 +28,7 @@ def draw_brake_pressures(run: Run) -> Optional[Figure]:
         window = (max(begin + WINDOW_S[0], run.time_s[0]), min(begin + WINDOW_S[1], run.time_s[-1]))
         if window[1] - window[0] < 0.6 * (run.time_s[-1] - run.time_s[0]):
             windows.append((*window, 'first application'))
-    figure, panels = plt.subplots(2, len(windows), figsize=(4.0 + 5.2 * len(windows), 8.0), squeeze=False, sharex='col',
+    figure, panels = plt.subplots(2, len(windows), figsize=(3.4 + 4.3 * len(windows), 7.6), squeeze=False, sharex='col',
                                   sharey=True)
     filled = run.cylinder_pressure_Pa.any(axis=0)
     cylinders_Pa = np.where(filled, run.cylinder_pressure_Pa, np.nan) if filled.any() else run.cylinder_pressure_Pa

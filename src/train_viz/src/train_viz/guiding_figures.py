@@ -56,7 +56,7 @@ def draw_wheel_contacts(run: Run) -> Figure:
 
 def _panels(wheels: Adhesion, heights: Tuple[float, ...]) -> Tuple[Figure, np.ndarray]:
     columns = len(bogies(wheels))
-    return plt.subplots(len(heights), columns, figsize=(2.0 + 5.5 * columns, 1.4 + 1.25 * sum(heights)), sharex=True,
+    return plt.subplots(len(heights), columns, figsize=(1.6 + 4.8 * columns, 1.4 + 1.25 * sum(heights)), sharex=True,
                         squeeze=False, gridspec_kw={'height_ratios': heights})
 
 

@@ -57,8 +57,8 @@ def _draw_speed(axes: Axes, run: Run) -> None:
     first, last = plot_style.place_range_km([run])
     for place, seconds in stops(run):
         share = (place / 1e3 - first) / (last - first)
-        side, shift = ('left', 12) if share < 0.05 else ('right', -12) if share > 0.95 else ('center', 0)
-        axes.annotate(f'stands {seconds:.0f} s', (place / 1e3, 0.0), xytext=(shift, 12), textcoords='offset points',
+        side, shift = ('left', (28, 5)) if share < 0.05 else ('right', (-12, 12)) if share > 0.95 else ('center', (0, 12))
+        axes.annotate(f'stands {seconds:.0f} s', (place / 1e3, 0.0), xytext=shift, textcoords='offset points',
                       ha=side, fontsize=10, arrowprops={'arrowstyle': '-', 'color': '0.5'}, zorder=6)
     axes.set_ylim(0.0, 1.12 * top)
     axes.set_ylabel('speed [km/h]')
