@@ -184,7 +184,8 @@ class AdhesionFiguresTest(unittest.TestCase):
         figure = draw_axle_loads(self.run_behind)
         axes = figure.axes[-1]
         self.assertEqual(axes.get_xlabel(), 'place of locomotive 2 [km]')
-        self.assertAlmostEqual(axes.get_xlim()[0], 2.978, places=9)
+        places = self.run_behind.adhesion.location_km
+        np.testing.assert_allclose(axes.get_xlim(), (2.978, places[-1]), rtol=1e-9)
         self.assertIn('locomotive 2', figure._suptitle.get_text())
 
     def test_stretches_end_at_the_row_after_their_last(self):

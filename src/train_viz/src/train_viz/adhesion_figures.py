@@ -175,10 +175,10 @@ def _add_friction_keys(axes: Axes, runs: List[Run], colours: List[str]) -> None:
 
 
 def place_range_km(runs: List[Run]) -> Tuple[float, float]:
-    """That of the leading locomotive, and where the locomotive shown is behind it from its own first place on."""
-    first, last = plot_style.place_range_km(runs)
-    own = [run.adhesion.location_km.min() for run in runs if run.adhesion.locomotive != 1]
-    return float(min([first, *own])), last
+    """Of the locomotives shown: that of the other figures for the leading one, a locomotive's own if it is behind."""
+    ranges = [plot_style.place_range_km([run]) if run.adhesion.locomotive == 1 else
+              (float(run.adhesion.location_km.min()), float(run.adhesion.location_km.max())) for run in runs]
+    return min(first for first, _ in ranges), max(last for _, last in ranges)
 
 
 def set_place_axis(axes: Axes, runs: List[Run]) -> None:

@@ -57,7 +57,7 @@ def save(figure: Figure, directory: str, name: str) -> List[str]:
     """Writes NAME.png and NAME.svg, closes the figure and returns the paths."""
     paths = [os.path.join(directory, f'{name}.{suffix}') for suffix in ('png', 'svg')]
     figure.savefig(paths[0], dpi=PNG_DPI)
-    figure.savefig(paths[1], metadata={'Date': None})
+    figure.savefig(paths[1], dpi=PNG_DPI, metadata={'Date': None})  # of the parts that are images
     plt.close(figure)
     return paths
 

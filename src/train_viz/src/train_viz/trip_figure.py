@@ -87,6 +87,8 @@ def _draw_notches(axes: Axes, run: Run) -> None:
 
 
 def _fill_steps(axes: Axes, place: np.ndarray, values: np.ndarray, colour: str) -> None:
+    turns = np.unique(np.concatenate(([0], np.flatnonzero(np.diff(values)) + 1, [len(values) - 1])))
+    place, values = place[turns], values[turns]  # an area is not thinned on its way to the SVG
     axes.fill_between(place, 0.0, values, step='post', color=colour, alpha=0.35, linewidth=0)
     axes.step(place, values, where='post', color=colour, linewidth=1.2)
 
