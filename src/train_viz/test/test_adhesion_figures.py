@@ -12,9 +12,9 @@ from matplotlib import pyplot as plt
 from synthetic_bag import AXLES, write_bag
 from train_viz import plot_style
 from train_viz.adhesion import true_stretches
-from train_viz.adhesion_figures import (draw_adhesion_control, draw_adhesion_creep, draw_axle_loads,
-                                        draw_friction_adhesion)
+from train_viz.adhesion_figures import draw_adhesion_creep, draw_axle_loads, draw_friction_adhesion
 from train_viz.bag_reader import read_bag
+from train_viz.control_figure import draw_adhesion_control
 
 
 def legend_texts(figure):
@@ -89,6 +89,22 @@ class AdhesionFiguresTest(unittest.TestCase):
             figure = draw_adhesion_creep(self.with_wheels(creep=values))
             np.testing.assert_allclose([line.get_xdata()[0] for line in figure.axes[0].get_lines()], marks, rtol=1e-12)
             self.assertIn(f'slip limit {sign}7 %', legend_texts(figure))
+
+    def test_slip_limit_that_no_wheel_comes_near_is_told_and_not_drawn(self):
+        run = self.with_wheels(creep=0.1 * self.run_2d.adhesion.creep)
+        creep = draw_adhesion_creep(run)
+        self.assertEqual([len(line.get_xdata()) for line in creep.axes[0].get_lines()], [0])
+        self.assertLess(creep.axes[0].get_xlim()[1], 1.0)
+        control = draw_adhesion_control(run)
+        self.assertLess(control.axes[0].get_ylim()[1], 1.0)
+        for figure in (creep, control):
+            self.assertIn('slip limit 7 %, beyond the axis', legend_texts(figure))
+
+    def test_slip_limit_that_a_wheel_comes_near_is_on_the_axis(self):
+        creep = self.run_2d.adhesion.creep
+        for factor, side in ((0.6, 1), (-0.6, 0)):
+            limits = draw_adhesion_creep(self.with_wheels(creep=factor * creep)).axes[0].get_xlim()
+            self.assertGreater(abs(limits[side]), 7.0)
 
     def test_braking_wheels_lie_below_zero_with_the_friction_that_they_may_use(self):
         adhesion, friction = self.run_2d.adhesion.adhesion, self.run_2d.adhesion.friction
@@ -168,7 +184,8 @@ class AdhesionFiguresTest(unittest.TestCase):
         figure = draw_axle_loads(self.run_behind)
         axes = figure.axes[-1]
         self.assertEqual(axes.get_xlabel(), 'place of locomotive 2 [km]')
-        self.assertAlmostEqual(axes.get_xlim()[0], 2.978, places=9)
+        places = self.run_behind.adhesion.location_km
+        np.testing.assert_allclose(axes.get_xlim(), (2.978, places[-1]), rtol=1e-9)
         self.assertIn('locomotive 2', figure._suptitle.get_text())
 
     def test_stretches_end_at_the_row_after_their_last(self):

@@ -15,10 +15,8 @@ from train_viz.bag_reader import read_bag
 from train_viz.brake_figures import draw_brake_energy, draw_brake_pressures, first_application_s
 from train_viz.energy_stages import between_rim_and_rail, supply_MJ
 from train_viz.flow_figure import SPIN, draw_energy_flow, flows_of
-from train_viz.line_profile import height_profile
 from train_viz.run_page import run_page
 from train_viz.supply_figure import draw_energy_supply, supply_flows
-from train_viz.trip_figure import draw_trip, stops
 
 BRAKE_FROM_S = 40.0
 
@@ -60,6 +58,45 @@ class BrakingFiguresTest(unittest.TestCase):
         np.testing.assert_allclose(parted['slip_braking'], 0.1 * self.written['taken'][-1], rtol=1e-9)
         np.testing.assert_allclose(parted['rest_braking'], 0.0, atol=1e-6 * lost)
 
+    def test_shoes_that_a_locomotive_pulls_against_are_heated_by_its_motors(self):
+        run = self.changed(self.plain)
+        run.locos['energy_rim'][5:] += 3e6  # beside what the rail gets
+        run.locos['shoes'][5:] += 3e6
+        run.locos['shoes'][9:] += 2e6       # and while it brakes: from the rail
+        run.locos['brake_rail'][9:] += 2e6
+        parted = {name: values[-1] for name, values in between_rim_and_rail(run).items()}
+        np.testing.assert_allclose(parted['shoes_driving'], 3e6, rtol=1e-9)
+        np.testing.assert_allclose(parted['shoes_braking'], 2e6, rtol=1e-9)
+        for rest in ('rest_driving', 'rest_braking'):  # in 1D no wheel spins
+            np.testing.assert_allclose(parted[rest], 0.0, atol=1.0)
+
+    def test_spin_of_wheels_stays_spin_where_shoes_take_less(self):
+        run = self.changed(self.plain)
+        run.locos['energy_rim'][5:] += 3e6
+        run.locos['shoes'][5:] += 1e6
+        parted = {name: values[-1] for name, values in between_rim_and_rail(run).items()}
+        np.testing.assert_allclose((parted['shoes_driving'], parted['rest_driving']), ([1e6] * 3, [2e6] * 3), rtol=1e-9)
+
+    def test_flow_and_account_name_shoes_pulled_against(self):
+        run = self.changed(self.plain)
+        for books, factor in ((run.locos, 1.0), (run.account, 3.0)):
+            books['shoes'][5:] += factor * 3e6
+        run.locos['energy_rim'][5:] += 3e6
+        run.account['traction_rim'][5:] += 9e6
+        _, losses, _, braked = flows_of(run)
+        self.assertEqual([(flow[0], round(flow[2], 6)) for flow in losses], [("locomotives' shoes, pulled against", 9.0)])
+        self.assertEqual(braked, [])
+        cells = [cell.get_text().get_text() for cell in draw_energy_account([run]).axes[1].tables[0].get_celld().values()]
+        self.assertEqual(cells[cells.index("locomotives' shoes, pulled against [MJ]") + 1], '9.000')
+        self.assertNotIn('-0.000', cells)
+        self.assertIn('own shoes while it pulls against them', run_page([run], {}))
+
+    @staticmethod
+    def changed(run):
+        """A copy whose books may be written."""
+        return dataclasses.replace(run, account={name: values.copy() for name, values in run.account.items()},
+                                   locos={name: values.copy() for name, values in run.locos.items()})
+
     def test_rolling_back_at_a_start_is_no_braking(self):
         run = dataclasses.replace(self.plain, locos={name: values.copy() for name, values in self.plain.locos.items()})
         run.locos['energy_rail'][5:] -= 2e6
@@ -78,7 +115,7 @@ class BrakingFiguresTest(unittest.TestCase):
         self.assertAlmostEqual(sinks[-1][2], total[3], places=12)
         self.assertAlmostEqual(total[3], 3e-6 * self.written['taken'][-1], delta=1e-9 * total[3])
         words = texts(draw_energy_flow(self.braked))
-        for part in ('traction, at the rail', 'at the rim: ', "locomotives'\nbrakes,\nat the rail"):
+        for part in ('at the rail\n', 'of it traction\n', 'at the rim: ', "locomotives'\nbrakes,\nat the rail"):
             self.assertIn(part, words)
 
     def test_spin_of_wheels_that_slow_down_goes_to_the_brakes_beside_the_rail(self):
@@ -128,34 +165,6 @@ class BrakingFiguresTest(unittest.TestCase):
         for name, value in (('drawn', 24.0), ('returned', 6.0), ('line_loss', 18.0), ('unserved', 0.0)):
             self.assertAlmostEqual(got[name], value, places=9, msg=name)
 
-    def test_trip_has_speed_limit_notches_pressures_and_the_line(self):
-        there = dataclasses.replace(self.braked, location_m=self.braked.location_m + 200.0)  # into the curve
-        speed, notch, pressure, line, curvature = draw_trip(there).axes
-        limit, drawn = speed.get_lines()[:2]
-        np.testing.assert_allclose(limit.get_ydata(), 80.0, rtol=1e-12)
-        np.testing.assert_allclose(drawn.get_ydata(), 3.6 * self.written['speed'], rtol=1e-12)
-        self.assertEqual({value for line in notch.get_lines()[:2] for value in line.get_ydata()},
-                         {0.0, 1.0, 2.0, 3.0, 4.0, -5.0, -0.0})
-        self.assertEqual([text.get_text() for text in pressure.get_legend().get_texts()],
-                         ['pipe, vehicle 1', 'pipe, vehicle 8', 'cylinder, vehicle 4', 'cylinder, vehicle 8'])
-        self.assertEqual((line.get_ylabel(), curvature.get_ylabel()[:9]), ('height [m]', 'curvature'))
-        self.assertEqual(len(draw_trip(self.plain).axes), 3)  # no pressures, no curve
-
-    def test_stops_are_told_with_their_length(self):
-        speed = self.braked.speed_mps.copy()
-        speed[500:1000] = 0.0
-        (place, seconds), = stops(dataclasses.replace(self.braked, speed_mps=speed))
-        self.assertAlmostEqual(place, self.braked.location_m[500], places=9)
-        self.assertAlmostEqual(seconds, 499 * 0.02, places=9)
-
-    def test_heights_are_the_integral_of_the_grades(self):
-        listed = 'track: {grades: [{from_km: 0, grade_permille: 10}, {from_km: 1, grade_permille: -5}]}'
-        tabled = ('track: {between_rows: {grade: linear}, table: "chainage_km,grade_permille\\n0,0\\n1,10\\n2,10\\n"}')
-        for resolved, place_m, height_m in ((listed, 1500.0, 7.5), (tabled, 1000.0, 5.0), (tabled, 1500.0, 10.0)):
-            place, height = height_profile(resolved, 0.0, 2000.0)
-            self.assertAlmostEqual(np.interp(place_m, place, height), height_m, delta=1e-3)
-        self.assertIsNone(height_profile('', 0.0, 1.0))
-
     def test_pressure_maps_show_the_whole_run_and_the_wave(self):
         self.assertAlmostEqual(first_application_s(self.braked), BRAKE_FROM_S + 0.04, delta=0.021)  # of 2.5 bar/s
         figure = draw_brake_pressures(self.braked)
@@ -173,17 +182,33 @@ class BrakingFiguresTest(unittest.TestCase):
         lines = {line.get_label(): line.get_ydata()[-1] for line in brakes.get_lines() + stores.get_lines()
                  if len(line.get_ydata())}
         stored = 3e-6 * 0.45 * 0.95 * self.written['recovered'][-1]
-        self.assertIn(f'in the storage, change: {stored:.1f} MJ', lines)
-        self.assertAlmostEqual(lines[f"wagons' shoes: {self.written['air'][-1] / 1e6:.1f} MJ"],
+        self.assertIn(f'in the storage, change: {stored:.3g} MJ', lines)
+        self.assertAlmostEqual(lines[f"wagons' shoes: {self.written['air'][-1] / 1e6:.3g} MJ"],
                                self.written['air'][-1] / 1e6, places=9)
         self.assertIsNone(draw_brake_energy(self.plain))
+
+    def test_supply_without_brakes_has_no_panel_of_brakes_and_one_zero_for_both_scales(self):
+        run = self.changed(self.braked)
+        for name in ('brake_rail', 'air_brake', 'shoes'):
+            run.account[name][:] = 0.0
+        run.locos['stored'][100:] -= 3e8  # the storage gives: below zero
+        stores, fuel = draw_brake_energy(run).axes
+        self.assertIn('in the storage', stores.get_lines()[0].get_label())
+        (low, high), (fuel_low, fuel_high) = stores.get_ylim(), fuel.get_ylim()
+        self.assertLess(low, -100.0)
+        self.assertAlmostEqual(fuel_low / fuel_high, low / high, places=9)
+        self.assertGreaterEqual(min(fuel.get_yticks()), 0.0)
+        self.assertEqual(draw_brake_energy(run)._suptitle.get_text().split(' over ')[0], 'Energy of supply')
 
     def test_page_tells_brakes_and_fuel_at_the_end(self):
         page = run_page([self.braked], {})
         for words in ('recovered, at the rim [MJ]', 'its fuel [l]', f'{self.braked.locos["litres"][-1, 0]:.2f}</td>',
                       f'{len(self.braked.time_s)} of {len(self.braked.time_s)}'):
             self.assertIn(words, page)
-        self.assertNotIn('recovered', run_page([self.plain], {}))
+        self.assertIn('<td class="text">time [s]</td>', page)  # so many columns are rows instead
+        plain = run_page([self.plain], {})
+        self.assertNotIn('recovered', plain)
+        self.assertIn('<th>time [s]</th>', plain)
 
 
 if __name__ == '__main__':

@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 import rosunit
 
-from train_viz.contact_figure import main_contacts, nominal_radius, point_on_wheel
+from train_viz.contact_figure import jumps_of, main_contacts, nominal_radius, parted, point_on_wheel
 from train_viz.contact_table import read_contacts, read_sections
 
 PLOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'scripts', 'contact_plot')
@@ -66,6 +66,15 @@ class ContactPlotTest(unittest.TestCase):
         y_mm, right = main_contacts(read_contacts(self.contacts), 'right')
         self.assertEqual(list(y_mm), [0.0, 2.0])
         self.assertEqual([contact.rolling_radius_mm for contact in right], [500.25, 500.35])
+
+    def test_lines_are_parted_where_the_contact_jumps(self):
+        y_mm, right = main_contacts(read_contacts(self.contacts), 'right')
+        self.assertEqual(list(jumps_of(y_mm, right)), [False])
+        for other in (right[1]._replace(angle_rad=right[0].angle_rad + 0.4), right[1]._replace(y_rail_mm=-30.0)):
+            self.assertEqual(list(jumps_of(y_mm, [right[0], other])), [True])
+        x, y = parted(np.array([0.0, 1.0, 2.0]), [5.0, 6.0, 9.0], np.array([False, True]))
+        np.testing.assert_array_equal(x, [0.0, 1.0, np.nan, 2.0])
+        np.testing.assert_array_equal(y, [5.0, 6.0, np.nan, 9.0])
 
 
 if __name__ == '__main__':

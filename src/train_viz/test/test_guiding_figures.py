@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The figures of the 3D locomotive's wheels show every wheel once, with units, and where contacts come and go."""
+import dataclasses
 import os
 import tempfile
 import unittest
@@ -81,6 +82,21 @@ class GuidingFiguresTest(unittest.TestCase):
                                            rtol=1e-9, atol=1e-9)
             self.assertEqual(axes.get_ylabel(), 'to the left [mm]')
         self.assertIn('to the right < 0', figure.legends[0].get_title().get_text())
+
+    def test_displacement_axis_holds_every_wheelset_and_does_not_enlarge_round_off(self):
+        place_m = self.run_3d.adhesion.wheelsets.location_m
+        axes = draw_wheelset_displacement(self.run_3d).axes[0]
+        np.testing.assert_allclose(axes.get_xlim(), (place_m.min() / 1e3, place_m.max() / 1e3), rtol=1e-12)
+        flat = dataclasses.replace(self.run_3d.adhesion.wheelsets, lateral_m=np.full_like(place_m, 1e-7))
+        run = dataclasses.replace(self.run_3d, adhesion=dataclasses.replace(self.run_3d.adhesion, wheelsets=flat))
+        self.assertEqual(draw_wheelset_displacement(run).axes[0].get_ylim(), (-1.0, 1.0))
+
+    def test_wheels_with_one_contact_all_the_time_get_no_empty_panel(self):
+        one = dataclasses.replace(self.wheels, contacts=np.ones_like(self.wheels.contacts))
+        run = dataclasses.replace(self.run_3d, adhesion=dataclasses.replace(self.run_3d.adhesion, wheels=one))
+        figure = draw_wheel_contacts(run)
+        self.assertEqual(len(figure.axes), 2)
+        self.assertIn('one contact all the time', figure.legends[0].get_title().get_text())
 
     def test_six_axles_are_two_bogies(self):
         self.assertEqual([list(axles) for axles in bogies(self.run_3d.adhesion)], [[0, 1, 2], [3, 4, 5]])

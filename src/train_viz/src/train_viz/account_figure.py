@@ -5,14 +5,17 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from train_viz import plot_style
+from train_viz import plot_style, sankey
 from train_viz.energy_stages import final_MJ, supply_MJ
-from train_viz.run import Run
+from train_viz.run import RESIDUAL_WORDS, Run
+
+SHOES_COLOUR = '#A6611A'  # of locomotives
 
 # What the traction gives, and where it goes: (field of TrainEnergy or of `final_MJ`, words, colour)
 SOURCES = (
     ('traction_rail', 'traction at the rail', '0.35'),
     ('slip_driving', 'slip loss', '0.60'),
+    ('shoes_driving', "locomotives' shoes, pulled against", SHOES_COLOUR),
     ('rest_driving', 'wheel spin-up and other storage', '0.80'),
 )
 SINKS = (
@@ -28,7 +31,7 @@ SINKS = (
 BRAKE_RAIL = ('brake_rail', "locomotives' brakes, at the rail", '0.45')
 BRAKED = (
     ('recovered_rim', 'recovered by motors, at the rim', '#1B7837'),
-    ('shoes', "locomotives' shoes", '#A6611A'),
+    ('shoes_braking', "locomotives' shoes, braking", SHOES_COLOUR),
     ('slip_braking', 'slip loss, braking', '0.60'),
     ('rest_braking', 'wheel spin, braking', '0.80'),
 )
@@ -51,12 +54,16 @@ def draw_energy_account(runs: List[Run]) -> Figure:
 
 
 def _draw_bars(axes: Axes, runs: List[Run], braking: bool) -> None:
+    largest = max(abs(final_MJ(run)[name]) for run in runs for name, _, _ in SOURCES + SINKS)
     for i, run in enumerate(runs):
         final = final_MJ(run)
         stacks = (SOURCES, SINKS + (BRAKE_RAIL,), BRAKED)[:3 if braking else 2]
         height = 0.76 / len(stacks)
         for j, terms in enumerate(stacks):
-            _stack(axes, [(final[name], colour) for name, _, colour in terms], i - 0.38 + height * (j + 0.5), 0.95 * height)
+            y = i - 0.38 + height * (j + 0.5)
+            _stack(axes, [(final[name], colour) for name, _, colour in terms], y, 0.95 * height)
+            if max(abs(final[name]) for name, _, _ in terms) < 1e-4 * largest:  # chosen: no pixel
+                axes.text(0.0, y, ' nothing', va='center', fontsize=10, color='0.3')
     axes.set_yticks(range(len(runs)))
     axes.set_yticklabels([plot_style.wrapped(run.label, 24) for run in runs])
     axes.set_ylim(len(runs) - 0.5, -0.5)
@@ -100,9 +107,11 @@ Row = Tuple[str, str, str]  # of the table: words, colour or '', value
 
 def _table_rows(runs: List[Run]) -> List[List[Row]]:
     """A list a run, all of the same terms: those of brakes and supplies only if any run has some."""
-    terms = [('traction_rim', 'traction at the rim', ''), *SOURCES, *SINKS[:-1]]
+    terms = [('traction_rim', 'traction at the rim', ''), *SOURCES, *SINKS]
     if any(run.brakes() for run in runs):
-        terms += [SINKS[-1], BRAKE_RAIL, *BRAKED]
+        terms += [BRAKE_RAIL, *BRAKED]
+    else:
+        terms = [term for term in terms if term[0] not in ('shoes_driving', 'air_brake')]
     supplies = [supply_MJ(run) for run in runs]
     return [[*_energy_rows(run, terms), *(_supply_rows(supply) if any(supplies) else []), *_end_rows(run)]
             for run, supply in zip(runs, supplies)]
@@ -110,7 +119,7 @@ def _table_rows(runs: List[Run]) -> List[List[Row]]:
 
 def _energy_rows(run: Run, terms: List[Tuple[str, str, str]]) -> List[Row]:
     final = final_MJ(run)
-    return [(f'{words} [MJ]', colour, f'{final[name]:.3f}') for name, words, colour in terms]
+    return [(f'{words} [MJ]', colour, _number(final[name])) for name, words, colour in terms]
 
 
 def _supply_rows(supply: Optional[dict]) -> List[Row]:
@@ -119,15 +128,19 @@ def _supply_rows(supply: Optional[dict]) -> List[Row]:
              ('returned', 'returned to the line [MJ]'), ('storage_out', 'out of the storage, at the link [MJ]'),
              ('storage_in', 'into the storage, at the link [MJ]'), ('resistors', 'into resistors, at the link [MJ]'),
              ('auxiliaries', 'auxiliaries, at the link [MJ]'))
-    return [(words, '', f'{supply[name]:.3f}' if supply else '-') for name, words in terms]
+    return [(words, '', _number(supply[name]) if supply else '-') for name, words in terms]
+
+
+def _number(value: float) -> str:
+    return f'{round(value, 3) + 0.0:.3f}'  # + 0.0: no minus before a zero
 
 
 def _end_rows(run: Run) -> List[Row]:
     final = final_MJ(run)
     return [
-        ('residual [J]', '', f'{1e6 * final["residual"]:+.3g}'),
-        ('residual / traction at the rail', '', f'{run.account["residual_relative"][-1]:+.1e}'),
-        ('traction at the rail [kWh]', '', f'{final["traction_rail"] / 3.6:.3f}'),
+        ('residual [J]', '', sankey.signed_number(1e6 * final['residual'])),
+        (RESIDUAL_WORDS, '', f'{run.account["residual_relative"][-1]:+.1e}'),
+        ('traction at the rail [kWh]', '', _number(final['traction_rail'] / 3.6)),
         ('place at the end [km]', '', f'{run.location_km[-1]:.3f}'),
         ('time at the end [s]', '', f'{run.time_s[-1]:.2f}'),
         ('speed at the end [km/h]', '', f'{run.end_kmph:.3f}'),

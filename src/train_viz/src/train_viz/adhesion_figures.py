@@ -1,5 +1,5 @@
-"""What the wheels of a locomotive do on the rail: adhesion over creep, adhesion control, axle loads, friction over place."""
-from typing import List, Optional
+"""What the wheels of a locomotive do on the rail: adhesion over creep, axle loads, friction over place."""
+from typing import Callable, List, Optional, Tuple
 
 import numpy as np
 from matplotlib import pyplot as plt
@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from train_viz import plot_style
-from train_viz.adhesion import Adhesion, true_stretches
+from train_viz.adhesion import Adhesion
 from train_viz.creep_curve import CreepCurve, creep_curves, speeds_of
 from train_viz.resolved_scenario import read_slip_limit
 from train_viz.run import Run
@@ -15,7 +15,6 @@ from train_viz.run import Run
 RACING = 1.0  # creep [-], chosen: beyond it a linear axis hides the part that the wheels should stay in
 LINEAR_TO_PERCENT = 10.0  # chosen: holds every usual slip limit
 CURVE_LINES = ('-', (0, (6, 2)), (0, (2, 1.5)))  # of the creep curves, from the first speed on
-LIMIT_STYLE = {'color': 'black', 'linestyle': '--', 'linewidth': 1.2}
 
 
 def draw_adhesion_creep(run: Run) -> Figure:
@@ -24,7 +23,8 @@ def draw_adhesion_creep(run: Run) -> Figure:
     Behind the points of the 2D model stands its contact's curve at some speeds; in 3D the ellipses move with the wheelsets.
     """
     wheels = run.adhesion
-    low, high = wheels.creep.min(), wheels.creep.max()
+    limits = [side * (read_slip_limit(run.resolved) or 0.0) for side in slip_limit_sides(run)]
+    low, high = min(wheels.creep.min(), *limits, 0.0), max(wheels.creep.max(), *limits, 0.0)
     behind = creep_curves(run, speeds_of(run), min(1.08 * max(high, -low if wheels.brakes else 0.0, 1e-3), RACING))
     columns = min(3, wheels.axles)
     rows = -(-wheels.axles // columns)
@@ -36,17 +36,17 @@ def draw_adhesion_creep(run: Run) -> Figure:
             continue
         draw_creep_curves(axes, behind, mirrored=wheels.brakes)
         points = _draw_axle(axes, wheels, axle)
-        _mark_slip_limit(axes.axvline, run)
+        mark_slip_limit(axes, axes.axvline, run)
         axes.set_title(f'axle {axle + 1}', fontsize=11)
         axes.xaxis.set_tick_params(labelbottom=axle + columns >= wheels.axles)
     panels[0, 0].set_xlim(100.0 * min(1.08 * low, -0.02 * min(high, 0.1)), 100.0 * max(1.08 * high, 1e-3))
-    if _races(wheels):
+    if races(wheels):
         panels[0, 0].set_xscale('symlog', linthresh=LINEAR_TO_PERCENT)
         panels[0, 0].xaxis.set_major_formatter('{x:g}')
     plot_style.start_at_zero(panels[0, 0])
     bar = figure.colorbar(points, ax=panels, pad=0.02)
     bar.set_label('speed [km/h]')
-    scale = f'   (logarithmic beyond {LINEAR_TO_PERCENT:g} %)' if _races(wheels) else ''
+    scale = f'   (logarithmic beyond {LINEAR_TO_PERCENT:g} %)' if races(wheels) else ''
     figure.supxlabel(f'creep [%]{scale}', fontsize=12)
     figure.supylabel('coefficient of adhesion or friction [-]', fontsize=12)
     figure.suptitle(f'Adhesion over creep, {whose(run)}')
@@ -73,74 +73,21 @@ def draw_creep_curves(axes: Axes, curves: List[CreepCurve], colour: str = '0.25'
                       zorder=3, label=curve.label if sign > 0.0 else None)
 
 
-def _races(wheels: Adhesion) -> bool:
+def races(wheels: Adhesion) -> bool:
     return bool(np.abs(wheels.creep).max() > RACING)
 
 
-def _mark_slip_limit(line, run: Run) -> None:
+def mark_slip_limit(axes: Axes, line: Callable, run: Run) -> None:
+    """@param line axes.axhline or axes.axvline"""
     limit = read_slip_limit(run.resolved)
-    if limit is None:
-        return
-    braking = run.adhesion.creep.min() < -0.5 * limit  # it comes near its own limit
-    driving = run.adhesion.creep.max() > 0.5 * limit or not braking
-    sign = '+-'[not driving] if driving != braking else '\u00b1'
-    line((100.0 if driving else -100.0) * limit, label=f'slip limit {sign.strip("+")}{100.0 * limit:g} %', **LIMIT_STYLE)
-    if braking and driving:
-        line(-100.0 * limit, **LIMIT_STYLE)
+    if limit is not None:
+        plot_style.mark_limit(axes, line, 100.0 * limit, slip_limit_sides(run), f'slip limit {{sign}}{100.0 * limit:g} %')
 
 
-def draw_adhesion_control(run: Run) -> Figure:
-    """Creep, torque before and after the controller, and where it acts, over place."""
-    wheels = run.adhesion
-    heights = [3.0, 3.0] + ([0.5 + 0.2 * wheels.axles] if wheels.controller_active.any() else [])
-    figure, panels = plt.subplots(len(heights), 1, figsize=(9.0, 1.0 + 1.1 * sum(heights)), sharex=True,
-                                  gridspec_kw={'height_ratios': heights})
-    _draw_creep(panels[0], run)
-    _draw_torque(panels[1], wheels)
-    if len(panels) > 2:
-        _draw_active(panels[2], wheels)
-    else:
-        panels[1].set_title('no controller takes torque away', fontsize=11)
-    _finish_place_panels(figure, panels, run, 'Adhesion control')
-    return figure
-
-
-def _draw_creep(axes: Axes, run: Run) -> None:
-    _draw_axles(axes, run.adhesion, 100.0 * run.adhesion.creep)
-    _mark_slip_limit(axes.axhline, run)
-    axes.set_ylabel('creep [%]')
-    if _races(run.adhesion):
-        axes.set_yscale('symlog', linthresh=LINEAR_TO_PERCENT)
-        axes.yaxis.set_major_formatter('{x:g}')
-        axes.set_ylabel(f'creep [%]\n(logarithmic beyond {LINEAR_TO_PERCENT:g} %)')
-
-
-def _draw_active(axes: Axes, wheels: Adhesion) -> None:
-    for axle in range(wheels.axles):
-        axes.broken_barh(true_stretches(wheels.location_km, wheels.controller_active[:, axle]), (axle + 0.65, 0.7),
-                         color=plot_style.axle_style(axle)['color'])
-    axes.set_ylim(wheels.axles + 0.6, 0.4)  # the front axle on top
-    axes.set_yticks(range(1, wheels.axles + 1))
-    axes.grid(axis='y', visible=False)
-    axes.set_ylabel('axle')
-    axes.set_title('bars: the controller takes torque away', fontsize=11)
-
-
-def _draw_torque(axes: Axes, wheels: Adhesion) -> None:
-    """Applied to each axle; demanded in one line where all axles are asked for the same, otherwise one for each."""
-    _draw_axles(axes, wheels, wheels.torque_applied_N_m / 1e3, labels=False)
-    if wheels.shoe_torque_N_m.any():
-        axes.plot(wheels.location_km, wheels.shoe_torque_N_m.mean(axis=1) / 1e3, color='0.45', linestyle='-.', linewidth=1.6,
-                  label='torque of shoes')
-    axes.set_ylabel('torque on the wheelset [kN m]')
-    demand = wheels.torque_demanded_N_m / 1e3
-    if np.ptp(demand, axis=1).max() <= 1e-6 * np.abs(demand).max():
-        axes.plot(wheels.location_km, demand[:, 0], color='black', linestyle=':', linewidth=1.8,
-                  label='torque demanded')
-    else:
-        for axle in range(wheels.axles):
-            axes.plot(wheels.location_km, demand[:, axle], ':', label=f'demanded, axle {axle + 1}',
-                      **plot_style.axle_style(axle))
+def slip_limit_sides(run: Run) -> List[float]:
+    """Of zero, where creep comes near the limit; none without a limit."""
+    limit = read_slip_limit(run.resolved)
+    return [] if limit is None else plot_style.sides_near(limit, run.adhesion.creep.min(), run.adhesion.creep.max())
 
 
 def draw_axle_loads(run: Run) -> Figure:
@@ -150,23 +97,23 @@ def draw_axle_loads(run: Run) -> Figure:
     for axes, values, words in ((panels[0], wheels.normal_force_N / 1e3, 'axle load [kN]'),
                                 (panels[1], wheels.frictional_power_W / 1e3, 'frictional power [kW]'),
                                 (panels[2], wheels.t_gamma_N / 1e3, 'T-gamma [kN = kJ/m]')):
-        _draw_axles(axes, wheels, values, labels=axes is panels[0])
+        draw_axles(axes, wheels, values, labels=axes is panels[0])
         axes.set_ylabel(words)
     for axes in panels[1:]:
         plot_style.start_at_zero(axes)
-    _finish_place_panels(figure, panels, run, 'Axle loads and slip losses')
+    finish_place_panels(figure, panels, run, 'Axle loads and slip losses')
     return figure
 
 
-def _draw_axles(axes: Axes, wheels: Adhesion, values: np.ndarray, labels: bool = True) -> None:
+def draw_axles(axes: Axes, wheels: Adhesion, values: np.ndarray, labels: bool = True) -> None:
     for axle in range(wheels.axles):
         axes.plot(wheels.location_km, values[:, axle], label=f'axle {axle + 1}' if labels else None,
                   **plot_style.axle_style(axle))
 
 
-def _finish_place_panels(figure: Figure, panels: np.ndarray, run: Run, title: str) -> None:
+def finish_place_panels(figure: Figure, panels: np.ndarray, run: Run, title: str) -> None:
     for axes in panels:
-        plot_style.shade_curves(axes, [run], labels=axes is panels[0])
+        plot_style.shade_curves(axes, [run], axes is panels[0], place_range_km([run]))
     set_place_axis(panels[-1], [run])
     figure.suptitle(f'{title}, {whose(run)}')
     figure.align_ylabels(panels)
@@ -181,7 +128,7 @@ def draw_friction_adhesion(runs: List[Run]) -> Optional[Figure]:
     with_wheels = [run for _, run in shown]
     colours = [plot_style.line_style(i)['color'] for i, _ in shown]  # of a run in the other figures, too
     figure, axes = plt.subplots(figsize=(9.0, 5.6))
-    plot_style.shade_curves(axes, with_wheels)
+    plot_style.shade_curves(axes, with_wheels, range_km=place_range_km(with_wheels))
     for run, colour in zip(with_wheels, colours):
         _draw_friction_of(axes, run, colour)
     plot_style.start_at_zero(axes)
@@ -227,11 +174,17 @@ def _add_friction_keys(axes: Axes, runs: List[Run], colours: List[str]) -> None:
     axes.fill_between([], [], [], color=grey_or_own, label='its range over the axles', **RANGE_STYLE)
 
 
+def place_range_km(runs: List[Run]) -> Tuple[float, float]:
+    """Of the locomotives shown: that of the other figures for the leading one, a locomotive's own if it is behind."""
+    ranges = [plot_style.place_range_km([run]) if run.adhesion.locomotive == 1 else
+              (float(run.adhesion.location_km.min()), float(run.adhesion.location_km.max())) for run in runs]
+    return min(first for first, _ in ranges), max(last for _, last in ranges)
+
+
 def set_place_axis(axes: Axes, runs: List[Run]) -> None:
     plot_style.set_place_axis(axes, runs)
     if any(run.adhesion.locomotive != 1 for run in runs):
-        first, last = axes.get_xlim()
-        axes.set_xlim(min([first] + [run.adhesion.location_km.min() for run in runs]), last)
+        axes.set_xlim(*place_range_km(runs))
         axes.set_xlabel(f'place of {_which(runs)} [km]')
 
 

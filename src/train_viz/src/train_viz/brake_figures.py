@@ -6,14 +6,15 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from train_viz import plot_style
+from train_viz import plot_style, sankey
 from train_viz.coupler_figure import COLUMNS
-from train_viz.energy_stages import supplied
+from train_viz.energy_stages import between_rim_and_rail, supplied
 from train_viz.run import Run
 
 PASCALS_PER_BAR = 1e5
 WINDOW_S = (-2.0, 30.0)   # around the first fall of the pipe, chosen: a wave takes 8 s through 1.6 km, a cylinder 5 to 30 s
 FALL_Pa = 0.1e5           # chosen: less is no application
+SHOWN_MJ = 1e-3           # chosen: less is round-off of a brake that is not applied
 
 
 def draw_brake_pressures(run: Run) -> Optional[Figure]:
@@ -27,7 +28,7 @@ def draw_brake_pressures(run: Run) -> Optional[Figure]:
         window = (max(begin + WINDOW_S[0], run.time_s[0]), min(begin + WINDOW_S[1], run.time_s[-1]))
         if window[1] - window[0] < 0.6 * (run.time_s[-1] - run.time_s[0]):
             windows.append((*window, 'first application'))
-    figure, panels = plt.subplots(2, len(windows), figsize=(4.0 + 5.2 * len(windows), 8.0), squeeze=False, sharex='col',
+    figure, panels = plt.subplots(2, len(windows), figsize=(3.4 + 4.3 * len(windows), 7.6), squeeze=False, sharex='col',
                                   sharey=True)
     filled = run.cylinder_pressure_Pa.any(axis=0)
     cylinders_Pa = np.where(filled, run.cylinder_pressure_Pa, np.nan) if filled.any() else run.cylinder_pressure_Pa
@@ -72,23 +73,23 @@ def draw_brake_energy(run: Run) -> Optional[Figure]:
     with_supply = bool(supplied(run)) and run.has_supply()
     if not run.brakes() and not with_supply:
         return None
-    figure, panels = plt.subplots(2 if with_supply else 1, 1, figsize=(9.5, 9.0 if with_supply else 5.6), sharex=True,
-                                  squeeze=False)
-    for i, axes in enumerate(panels[:, 0]):
-        plot_style.shade_curves(axes, [run], labels=i == 0)
+    parts = [('brakes', _draw_brakes)] * run.brakes() + [('supply', _draw_stores)] * with_supply
+    figure, panels = plt.subplots(len(parts), 1, figsize=(9.5, 1.6 + 4.4 * len(parts)), sharex=True, squeeze=False)
+    for i, (axes, (_, draw)) in enumerate(zip(panels[:, 0], parts)):
+        names_above = plot_style.shade_curves(axes, [run], labels=i == 0)
         axes.set_ylabel('energy since the start [MJ]')
-    _draw_brakes(panels[0, 0], run)
-    if with_supply:
-        _draw_stores(panels[1, 0], run)
+        draw(axes, run)
+        plot_style.legend_above(axes, 2, names_above)
     plot_style.set_place_axis(panels[-1, 0], [run])
-    figure.suptitle(f'Energy of brakes{" and supply" * with_supply} over place, whole train, {run.label}')
+    figure.suptitle(f'Energy of {" and ".join(words for words, _ in parts)} over place, whole train, {run.label}')
     return figure
 
 
-BRAKE_LINES = (  # field of the account, words, colour
-    ('brake_rail', "locomotives' brakes, at the rail", '0.3', '-'),
+BRAKE_LINES = (  # field of the account or of `between_rim_and_rail`, words, colour
+    ('brake_rail', "locomotives' brakes, at the rail", '0.6', '-'),
     ('recovered_rim', 'of it recovered by motors, at the rim', '#1B7837', '-'),
-    ('shoes', "of it in locomotives' shoes", '#A6611A', '--'),
+    ('shoes_braking', "of it in locomotives' shoes", plot_style.ORANGE, '--'),
+    ('shoes_driving', "locomotives' shoes, pulled against", plot_style.ORANGE, ':'),
     ('air_brake', "wagons' shoes", '#7F3B08', '-'),
 )
 SUPPLY_LINES = (  # of TrainEnergy's lists, less their start
@@ -102,32 +103,27 @@ SUPPLY_LINES = (  # of TrainEnergy's lists, less their start
 
 
 def _draw_brakes(axes: Axes, run: Run) -> None:
+    parted = {name: values.sum(axis=1) for name, values in between_rim_and_rail(run).items()}
     for name, words, colour, dashes in BRAKE_LINES:
-        values = run.account[name] / 1e6
-        if values.any():
+        values = (parted[name] if name in parted else run.account[name]) / 1e6
+        if np.abs(values).max() > SHOWN_MJ:
             axes.plot(run.location_km, values, dashes, color=colour, linewidth=3.2 if name == 'brake_rail' else 1.8,
-                      label=f'{words}: {values[-1]:.1f} MJ')
-    _legend(axes)
+                      label=f'{words}: {sankey.number(values[-1])} MJ')
+    plot_style.start_at_zero(axes)
 
 
 def _draw_stores(axes: Axes, run: Run) -> None:
     for name, words, colour, dashes in SUPPLY_LINES:
         values = (run.locos[name] - run.locos[name][0]).sum(axis=1) / 1e6
         if values.any():
-            axes.plot(run.location_km, values, dashes, color=colour, linewidth=1.8, label=f'{words}: {values[-1]:.1f} MJ')
+            axes.plot(run.location_km, values, dashes, color=colour, linewidth=1.8, label=f'{words}: {sankey.number(values[-1])} MJ')
+    plot_style.start_at_zero(axes)
     litres = run.locos['litres'].sum(axis=1)
     if litres.any():
         right = axes.twinx()
         right.plot(run.location_km, litres, color='0.4', linestyle=':', linewidth=1.8)
         axes.plot([], [], color='0.4', linestyle=':', linewidth=1.8, label=f'fuel burnt (right): {litres[-1]:.1f} l')
         right.set_ylabel('fuel [l]')
-        right.set_ylim(bottom=0.0)
         right.grid(False)
         right.spines['right'].set_visible(True)
-    _legend(axes)
-
-
-def _legend(axes: Axes) -> None:
-    """Beside each panel: the two have different lines."""
-    if axes.get_legend_handles_labels()[0]:
-        axes.legend(loc='upper left', bbox_to_anchor=(1.09, 1.0), fontsize=10)
+        plot_style.align_zeros(axes, right)

@@ -1,5 +1,5 @@
 """Figs. 3, 6, 7, 8 and 9 of the paper from our runs, with the values that it states marked."""
-from typing import List, Optional, Tuple
+from typing import Dict, List, Optional, Tuple
 
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
@@ -180,8 +180,7 @@ def draw_fig9(c: Comparison) -> Optional[Figure]:
                        bbox={'facecolor': 'white', 'edgecolor': 'none', 'alpha': 0.75, 'pad': 0.5})
         marks[folder.label] = [(at[places.index(place)], place, value)
                                for place, value in _paper_forces(folder.model, base.model) if place in places]
-    for label, points in marks.items():
-        _mark_differences(axes, f'{label} against {base.label}', points)
+    _mark_differences(axes, base, marks)
     axes.set_xticks(range(len(places)), [f'{place:g}' for place in places])
     axes.grid(axis='x', visible=False)
     axes.margins(y=0.12)
@@ -192,12 +191,13 @@ def draw_fig9(c: Comparison) -> Optional[Figure]:
     return figure
 
 
-def _mark_differences(axes: Axes, whose: str, points: List[Tuple[float, float, float]]) -> None:
-    """Points are (position on the axis, place, value). Black, for they stand on the bars."""
+def _mark_differences(axes: Axes, base: RunFolder, marks: Dict[str, List[Tuple[float, float, float]]]) -> None:
+    """Of each run (position on the axis, place, value). Black, for they stand on the bars; so one legend tells all."""
+    words = [f'{label} against {base.label} ' + ', '.join(f'{value:+.1f} % at {place:g} km' for _, place, value in points)
+             for label, points in marks.items() if points]
+    points = [(x, value) for those in marks.values() for x, _, value in those]
     if points:
-        words = ', '.join(f'{value:+.1f} % at {place:g} km' for _, place, value in points)
-        axes.plot([x for x, _, _ in points], [value for _, _, value in points], color='black',
-                  label=f'paper, {whose}: {words}', **PAPER_STYLE)
+        axes.plot(*zip(*points), color='black', label='paper, each at its bar: ' + '; '.join(words), **PAPER_STYLE)
 
 
 def _paper_forces(model: str, base: str) -> List[Tuple[float, float]]:

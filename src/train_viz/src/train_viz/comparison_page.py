@@ -8,6 +8,7 @@ from train_viz.comparison import PREDICTED, Comparison, Row, Stages
 from train_viz.comparison_setup import identified_values, reproduction, setup
 from train_viz.page import Badge, Section
 from train_viz.resolved_scenario import read_value
+from train_viz.run import RESIDUAL_WORDS
 from train_viz.run_folder import RunFolder
 
 TITLE = "The paper's three simulations, ours beside it"
@@ -193,7 +194,7 @@ def _account(c: Comparison) -> List[str]:
     of = [folder.summary.of_run for folder in c.folders]
     rows = [[f'{words} [MJ]'] + [f'{get(name, "J") / 1e6:.3f}' for get in of] for name, words in ACCOUNT_ROWS]
     rows += [['residual [J]'] + [f'{get("account_residual", "J"):+.3g}' for get in of],
-             ['residual / traction at the rail'] + [f'{get("energy_residual_relative", "1"):+.1e}' for get in of],
+             [RESIDUAL_WORDS] + [f'{get("energy_residual_relative", "1"):+.1e}' for get in of],
              ['time at the end [s]'] + [f'{get("final_time", "s"):.2f}' for get in of],
              ['speed at the end [km/h]'] + [f'{3.6 * get("final_speed", "m/s"):.3f}' for get in of],
              ['place at the end [km]'] + [f'{get("final_location", "m") / 1e3:.3f}' for get in of]]

@@ -9,6 +9,8 @@ from matplotlib.figure import Figure
 from train_viz import plot_style
 from train_viz.contact_table import Contact
 
+JUMP_DEG = 20.0                   # chosen: from tread or flange root to the flange
+JUMP_MM, JUMP_PER_MM = 5.0, 4.0   # chosen: on S1002 and UIC60 the contact wanders up to 3 mm a mm
 LIFT_MM = 12.0  # of the drawn wheel above its rail, so that joining lines can be seen
 
 
@@ -46,8 +48,23 @@ def main_contacts(contacts: List[Contact], side: str) -> Tuple[np.ndarray, List[
     return y_mm, [main[y] for y in y_mm]
 
 
+def jumps_of(y_mm: np.ndarray, contacts: List[Contact]) -> np.ndarray:
+    """Whether the contact jumps to another part of the profile between a displacement and the next."""
+    angles_deg = np.degrees([contact.angle_rad for contact in contacts])
+    places_mm = np.array([contact.y_rail_mm for contact in contacts])
+    return (np.abs(np.diff(angles_deg)) > JUMP_DEG) | (np.abs(np.diff(places_mm)) > JUMP_MM + JUMP_PER_MM * np.diff(y_mm))
+
+
+def parted(x: np.ndarray, y: List[float], jumps: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """With a hole in the line at every jump."""
+    after = np.flatnonzero(jumps) + 1
+    return np.insert(x, after, np.nan), np.insert(np.array(y), after, np.nan)
+
+
 def draw_contacts(contacts: List[Contact], sections: Dict[str, np.ndarray]) -> Figure:
-    figure, axes = plt.subplots(2, 2, figsize=(13, 8.5), height_ratios=(1.1, 1.0))
+    across_mm, high_mm = (np.ptp(np.concatenate([sections[body][:, i] for body in ('wheel', 'rail')])) for i in (0, 1))
+    above = 5.8 * (high_mm + LIFT_MM) / across_mm  # of a panel 5.8 inches wide with equal scales
+    figure, axes = plt.subplots(2, 2, figsize=(13, above + 5.6), height_ratios=(above, 4.0))
     y_mm, left = main_contacts(contacts, 'left')
     _, right = main_contacts(contacts, 'right')
     radius_mm = nominal_radius(contacts, sections)
@@ -55,10 +72,12 @@ def draw_contacts(contacts: List[Contact], sections: Dict[str, np.ndarray]) -> F
         draw_side(axis, side, [contact for contact in contacts if contact.side == side], sections, radius_mm)
     axes[0, 0].legend(loc='lower center')
     difference_mm = [b.rolling_radius_mm - a.rolling_radius_mm for a, b in zip(left, right)]
-    axes[1, 0].plot(y_mm, difference_mm, 'o-', color=plot_style.BLUE, markersize=3)
+    jumps = jumps_of(y_mm, left) | jumps_of(y_mm, right)
+    axes[1, 0].plot(*parted(y_mm, difference_mm, jumps), 'o-', color=plot_style.BLUE, markersize=3)
     axes[1, 0].set_ylabel('rolling radius, right - left [mm]')
     for name, side, colour in (('left', left, plot_style.BLUE), ('right', right, plot_style.VERMILION)):
-        axes[1, 1].plot(y_mm, [np.degrees(contact.angle_rad) for contact in side], 'o-', color=colour, markersize=3, label=name)
+        angle_deg = [np.degrees(contact.angle_rad) for contact in side]
+        axes[1, 1].plot(*parted(y_mm, angle_deg, jumps_of(y_mm, side)), 'o-', color=colour, markersize=3, label=name)
     axes[1, 1].set_ylabel('contact angle [degrees]')
     axes[1, 1].legend()
     for axis in axes[1]:

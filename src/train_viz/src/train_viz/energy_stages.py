@@ -10,6 +10,7 @@ from train_viz.resolved_scenario import read_locomotive_value
 from train_viz.run import Run
 
 J_PER_MJ = 1e6
+LEAST_J = 1e3  # chosen: less than a locomotive needs to move at all
 
 
 def final_MJ(run: Run) -> Dict[str, float]:
@@ -21,19 +22,34 @@ def final_MJ(run: Run) -> Dict[str, float]:
 
 
 def between_rim_and_rail(run: Run) -> Dict[str, np.ndarray]:
-    """Slip loss and the rest (spin of wheels, motion of bodies) while driving and while braking, cumulative [row, locomotive].
+    """Slip loss, shoes and the rest (spin of wheels, motion of bodies), driving and braking, cumulative [row, locomotive].
 
-        rim       = rail       + slip_driving + rest_driving
-        brake rail = recovered + shoes + slip_braking + rest_braking
+        rim        = rail      + shoes_driving + slip_driving + rest_driving
+        brake rail = recovered + shoes_braking + slip_braking + rest_braking
 
-    A locomotive brakes from one row to the next where its brakes take more at the rail than its motors give there.
+    A locomotive brakes from one row to the next where its brakes take more at the rail than its motors give there. Its shoes
+    get from its motors what these give and neither rail nor slip takes, as far as the shoes' heat goes; in 1D that is exact.
     """
     books = run.locos
-    slip, braking = books['energy_slip'], _braking(run)
-    slip_braking = _sum_where(slip, braking)
-    return {'slip_driving': slip - slip_braking, 'slip_braking': slip_braking,
-            'rest_driving': books['energy_rim'] - books['energy_rail'] - (slip - slip_braking),
-            'rest_braking': books['brake_rail'] - books['recovered_rim'] - books['shoes'] - slip_braking}
+    slip_braking = _sum_where(books['energy_slip'], _braking(run))
+    slip_driving = books['energy_slip'] - slip_braking
+    over, heat = (np.diff(values, axis=0, prepend=0.0) for values in
+                  (books['energy_rim'] - books['energy_rail'] - slip_driving, books['shoes']))
+    shoes_driving = np.cumsum(np.clip(over, 0.0, np.maximum(heat, 0.0)), axis=0)
+    shoes_braking = books['shoes'] - shoes_driving
+    return {'slip_driving': slip_driving, 'slip_braking': slip_braking,
+            'shoes_driving': shoes_driving, 'shoes_braking': shoes_braking,
+            'rest_driving': books['energy_rim'] - books['energy_rail'] - shoes_driving - slip_driving,
+            'rest_braking': books['brake_rail'] - books['recovered_rim'] - shoes_braking - slip_braking}
+
+
+def rim_words(runs: List[Run]) -> str:
+    """What the rim pays that the rail does not get, as far as these runs have it."""
+    words = ['slip loss, which depends on the contact stiffness assumed (k0), and wheel spin-up'] * any(
+        np.any(run.slip_J) for run in runs)
+    words += ["the heat of the locomotive's own shoes while it pulls against them"] * any(
+        between_rim_and_rail(run)['shoes_driving'][-1, run.locomotive - 1] > LEAST_J for run in runs)
+    return '; '.join(words) or 'what is stored between the two'
 
 
 def _braking(run: Run) -> np.ndarray:

@@ -14,6 +14,7 @@ from train_viz.sankey import Flow, Outlet
 BEFORE_RAIL = SOURCES[1:]  # what leaves between rim and rail
 RIM_COLOUR = SOURCES[0][2]
 SPIN = f'given back: {BRAKED[-1][1]}'  # goes to the brakes without passing the rail
+FOUR_LINES = 0.24  # of the whole height, chosen: four lines of text and their edges
 X_SOURCES, X_RAIL, X_BRAKES, X_SINKS = 0.0, 0.42, 0.74, 1.0
 
 
@@ -26,16 +27,22 @@ def draw_energy_flow(run: Run) -> Figure:
     rail_in = sum(flow[2] for flow in sources) - sum(flow[2] for flow in losses) - spin
     rail_low = (total - rail_in) / 2.0
     sankey.node(axes, X_RAIL, rail_low, rail_in, RIM_COLOUR)
-    axes.text(X_RAIL - 0.02, rail_low + rail_in / 2.0, f'{"traction, " * run.brakes()}at the rail\n'
-              f'{sankey.number(final_MJ(run)["traction_rail"])} MJ', ha='right', va='center', fontsize=12, zorder=4)
+    axes.text(X_RAIL - 0.02, rail_low + rail_in / 2.0, _rail_words(rail_in, final_MJ(run)['traction_rail']), ha='right',
+              va='center', fontsize=12, zorder=4)
     brakes_low = _draw_sinks(axes, (losses, sinks, braked), (rail_low + rail_in, spin), total)
     _draw_sources(axes, sources, losses, (rail_low + rail_in, brakes_low), total)
     axes.set_xlim(-0.38, 1.5)
     axes.axis('off')
     axes.set_title(f'Energy flow of the whole train, {run.label}', pad=14)
     axes.text(0.5, -0.02, f'at the end: {run.location_km[-1]:.3f} km, {run.time_s[-1]:.1f} s, {run.end_kmph:.2f} '
-              f'km/h;   residual {1e6 * final_MJ(run)["residual"]:+.3g} J', transform=axes.transAxes, ha='center', va='top')
+              f'km/h;   residual {sankey.signed_number(1e6 * final_MJ(run)["residual"])} J', transform=axes.transAxes, ha='center', va='top')
     return figure
+
+
+def _rail_words(all_MJ: float, traction_MJ: float) -> str:
+    """What passes the rail, and the traction's part where something else gives, too."""
+    words = f'at the rail\n{sankey.number(all_MJ)} MJ'
+    return words if abs(all_MJ - traction_MJ) < 1e-3 * all_MJ else f'{words},\nof it traction\n{sankey.number(traction_MJ)} MJ'
 
 
 def flows_of(run: Run) -> Tuple[List[Flow], List[Flow], List[Flow], List[Flow]]:
@@ -101,20 +108,30 @@ def _draw_sinks(axes: Axes, flows: Tuple[List[Flow], List[Flow], List[Flow]], at
     motors, rail, brakes, brakes_low = Outlet(X_SOURCES, total), Outlet(X_RAIL, at_rail[0]), None, 0.0
     for i, (flow, low) in enumerate(zip(ends, lows)):
         if i == len(ends) - len(braked):
-            brakes, brakes_low = _draw_brakes(axes, sinks[-1], rail, low + flow[2], at_rail[1])
-            bottom = min(bottom, brakes_low + sinks[-1][2] / 2.0 - 2.0 * sankey.SLOT * total)  # room for four lines
+            brakes, brakes_low = _draw_brakes(axes, sinks[-1], rail, low + flow[2], (at_rail[1], total))
+            bottom = min(bottom, brakes_low - 2.0 * sankey.SLOT * total * (sinks[-1][2] < FOUR_LINES * total))
         outlet = motors if i < len(losses) else brakes or rail
         sankey.draw_sink(axes, flow, outlet.take(flow[2]), (X_SINKS, low))
     axes.set_ylim(min(bottom, 0.0), top + sankey.GAP * total)
     return brakes_low
 
 
-def _draw_brakes(axes: Axes, flow: Flow, rail: Outlet, top: float, spin: float) -> Tuple[Outlet, float]:
-    """The node of the locomotives' brakes, as high as the first of its sinks; its number is what they take at the rail."""
+def _draw_brakes(axes: Axes, flow: Flow, rail: Outlet, top: float, sizes: Tuple[float, float]) -> Tuple[Outlet, float]:
+    """The node of the locomotives' brakes, as high as the first of its sinks; its number, on a wide band and else below the
+    node, is what they take at the rail.
+
+    @param sizes what the wheels' spin gives, the whole picture's energy
+    """
     _, colour, energy = flow
+    spin, total = sizes
     low, taken = top - energy, energy - spin
     sankey.band(axes, rail.take(taken), (X_BRAKES, top - taken), taken, colour)
     sankey.node(axes, X_BRAKES, low, energy, colour)
-    axes.text(X_BRAKES - 0.02, top - taken / 2.0, f"locomotives'\nbrakes,\nat the rail\n{sankey.number(taken)} MJ",
-              ha='right', va='center', fontsize=12, zorder=4)
+    number = f'{sankey.number(taken)} MJ'
+    if energy > FOUR_LINES * total:
+        axes.text(X_BRAKES - 0.02, top - taken / 2.0, f"locomotives'\nbrakes,\nat the rail\n{number}", ha='right',
+                  va='center', fontsize=12, zorder=4)
+    else:
+        axes.text(X_BRAKES + sankey.NODE_WIDTH, low - 0.01 * total, f"locomotives' brakes,\nat the rail {number}", ha='right',
+                  va='top', fontsize=12, zorder=4)
     return Outlet(X_BRAKES, top), low

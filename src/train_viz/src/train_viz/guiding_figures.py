@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from train_viz import plot_style
 from train_viz.adhesion import Adhesion, true_stretches
-from train_viz.adhesion_figures import set_place_axis, whose
+from train_viz.adhesion_figures import place_range_km, set_place_axis, whose
 from train_viz.run import Run
 
 SIDES = (('left', '-', 1.0), ('right', '--', 0.75))  # in the order of the arrays: words, line, opacity
@@ -40,21 +40,23 @@ def draw_guiding_forces(run: Run) -> Figure:
 def draw_wheel_contacts(run: Run) -> Figure:
     """T-gamma of each wheel, all its contacts together, and where it has another number of contacts than one."""
     wheels = run.adhesion
-    figure, panels = _panels(wheels, (3.4, 2.4))
+    always_one = bool((wheels.wheels.contacts == 1).all())
+    figure, panels = _panels(wheels, (3.4, 2.4)[:1 if always_one else 2])
     _draw_wheels(panels[0], wheels, wheels.wheels.t_gamma_N / 1e3)
     plot_style.start_at_zero(panels[0, 0])
     panels[0, 0].set_ylabel('T-gamma [kN = kJ/m]')
-    for axes, axles in zip(panels[1], bogies(wheels)):
-        _draw_counts(axes, wheels, axles)
-    panels[1, 0].set_ylabel('wheelset')
-    _finish(figure, panels, run, 'Slip losses and contacts', 'T-gamma is the sum over a wheel\'s contacts; where nothing is '
-            'drawn below, a wheel has one.')
+    if not always_one:
+        for axes, axles in zip(panels[1], bogies(wheels)):
+            _draw_counts(axes, wheels, axles)
+        panels[1, 0].set_ylabel('wheelset')
+    _finish(figure, panels, run, 'Slip losses and contacts', 'Every wheel has one contact all the time.' if always_one else
+            'T-gamma is the sum over a wheel\'s contacts; where nothing is drawn below, a wheel has one.')
     return figure
 
 
 def _panels(wheels: Adhesion, heights: Tuple[float, ...]) -> Tuple[Figure, np.ndarray]:
     columns = len(bogies(wheels))
-    return plt.subplots(len(heights), columns, figsize=(2.0 + 5.5 * columns, 1.4 + 1.25 * sum(heights)), sharex=True,
+    return plt.subplots(len(heights), columns, figsize=(1.6 + 4.8 * columns, 1.4 + 1.25 * sum(heights)), sharex=True,
                         squeeze=False, gridspec_kw={'height_ratios': heights})
 
 
@@ -90,7 +92,7 @@ def _draw_counts(axes: Axes, wheels: Adhesion, axles: range) -> None:
 
 def _finish(figure: Figure, panels: np.ndarray, run: Run, title: str, note: str) -> None:
     for axes in panels.flat:
-        plot_style.shade_curves(axes, [run], labels=axes in panels[0])
+        plot_style.shade_curves(axes, [run], axes in panels[0], place_range_km([run]))
     for axes, axles in zip(panels[0], bogies(run.adhesion)):
         axes.set_title(f'wheelsets {axles[0] + 1} to {axles[-1] + 1}', pad=20, fontsize=12)
     for axes in panels[-1]:

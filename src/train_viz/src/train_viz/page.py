@@ -23,17 +23,17 @@ th { background: #f2f5f7; vertical-align: bottom; }
 th.text, td.text { text-align: left; }
 td { font-variant-numeric: tabular-nums; white-space: nowrap; }
 td.text { white-space: normal; }
-table.even td:nth-child(-n+2) { white-space: nowrap; }
+table.even td:nth-child(1) { white-space: nowrap; }
 tbody tr:hover { background: #f7f7f2; }
-table.even { width: 100%; table-layout: fixed; min-width: 64rem; }
-table.even th:nth-child(1) { width: 17%; }
-table.even th:nth-child(2) { width: 17%; }
+table.even { width: 100%; table-layout: fixed; min-width: 59rem; }
+table.even th:nth-child(1) { width: 19%; }
+table.even th:nth-child(2) { width: 14%; }
 table.even th:nth-child(3) { width: 6.5%; }
-table.even th:nth-child(4) { width: 7%; }
-table.even th:nth-child(5) { width: 12%; }
+table.even th:nth-child(4) { width: 7.5%; }
+table.even th:nth-child(5) { width: 12.5%; }
 table.even th:nth-child(6) { width: 12%; }
-table.even th:nth-child(7) { width: 10%; }
-table.even th:nth-child(8) { width: 18.5%; }
+table.even th:nth-child(7) { width: 10.5%; }
+table.even th:nth-child(8) { width: 18%; }
 .badge { display: inline-block; border-radius: 0.7em; padding: 0 0.6em; white-space: nowrap; background: #e4e4e4; }
 .badge.strong { background: #d3ecdf; }
 .notice { border-left: 5px solid #E69F00; background: #fdf6e3; padding: 0.6rem 1rem; max-width: 52rem; margin: 0.8rem 0; }

@@ -1,5 +1,5 @@
 """Figures over the place of the leading locomotive: traction force, energy, speed and notch."""
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Optional
 
 import numpy as np
 from matplotlib import pyplot as plt
@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from train_viz import plot_style
+from train_viz.energy_stages import LEAST_J, rim_words
 from train_viz.resolved_scenario import read_adhesion_limit
 from train_viz.run import Run
 
@@ -21,24 +22,34 @@ def draw_traction_force(runs: List[Run]) -> Figure:
     plot_style.shade_curves(axes, runs)
     for i, run in enumerate(runs):
         axes.plot(run.location_km, run.shown_traction_N / 1e3, label=run.label, **plot_style.line_style(i))
-    limits = {read_adhesion_limit(run.resolved, run.locomotive) for run in runs} - {None}
-    for coefficient, force_N in sorted(limits):
-        axes.axhline(force_N / 1e3, color='black', linestyle='--', linewidth=1.2,
-                     label=f'adhesion limit {coefficient:g} m g = {force_N / 1e3:.1f} kN')
+    _mark_adhesion_limits(axes, runs)
     plot_style.start_at_zero(axes)
-    axes.set_title(f'Traction force of {runs[0].whose}', pad=22)
-    axes.set_ylabel('traction at the rail [kN]')
+    brakes = min(run.shown_traction_N.min() for run in runs) < -1e3  # chosen: less is a rolling locomotive's own resistance
+    axes.set_title(f'Traction {"and braking " * brakes}force of {runs[0].whose}', pad=22)
+    axes.set_ylabel('force at the rail [kN]; braking < 0' if brakes else 'traction at the rail [kN]')
     plot_style.set_place_axis(axes, runs)
     plot_style.legend_below(figure, axes)
     return figure
 
 
-def draw_energy(runs: List[Run]) -> Figure:
+def _mark_adhesion_limits(axes: Axes, runs: List[Run]) -> None:
+    """Of every locomotive shown, on the sides of zero where a force comes near it."""
+    forces = [run.shown_traction_N for run in runs]
+    limits = {read_adhesion_limit(run.resolved, run.locomotive) for run in runs} - {None}
+    for coefficient, limit_N in sorted(limits):
+        sides = plot_style.sides_near(limit_N, min(map(np.min, forces)), max(map(np.max, forces)))
+        plot_style.mark_limit(axes, axes.axhline, limit_N / 1e3, sides, 'adhesion limit {sign}'
+                              f'{coefficient:g} m g = {{sign}}{limit_N / 1e3:.1f} kN')
+
+
+def draw_energy(runs: List[Run]) -> Optional[Figure]:
     """Energy of the leading locomotive, Eq. (4) at the rail and what the rim pays; as Fig. 8, and over speed.
 
     At one place the slower train's lesser energy is not a saving but kinetic energy that it lacks; hence the comparison
-    at equal speed, where the runs allow it.
+    at equal speed, where the runs allow it. None if no motor gives any.
     """
+    if max(np.abs([run.rail_J, run.rim_J]).max() for run in runs) < LEAST_J:
+        return None
     over_speed = all(run.speed_rises() for run in runs)
     figure, panels = plt.subplots(1, 2 if over_speed else 1, figsize=(12.5 if over_speed else 9.0, 6.4),
                                   squeeze=False, sharey=True)
@@ -60,7 +71,7 @@ def draw_energy(runs: List[Run]) -> Figure:
     if len(runs) > 1:
         notes.append('Less energy at equal place is no saving where the train is slower: compare at equal speed, too.')
     if any(run.rim_differs() for run in runs):
-        notes.append('The rim also pays slip loss, which depends on the contact stiffness assumed (k0), and wheel spin-up.')
+        notes.append('The rim also pays ' + rim_words(runs) + '.')
     plot_style.legend_below(figure, place, '\n'.join(notes))
     return figure
 
@@ -94,25 +105,35 @@ def _draw_energy_of(run: Run, panels: np.ndarray, style: Dict[str, Any], marks_m
 
 
 def draw_speed_notch(runs: List[Run]) -> Figure:
-    """Speed and notch of the leading locomotive."""
-    figure, (speed, notch) = plt.subplots(2, 1, figsize=(9.0, 7.0), sharex=True,
-                                          gridspec_kw={'height_ratios': (3, 2)})
-    plot_style.shade_curves(speed, runs)
-    plot_style.shade_curves(notch, runs, labels=False)
+    """Speed and notch of the leading locomotive; without a notch in any run speed alone."""
+    notches = np.concatenate([shown_notch(run) for run in runs])
+    both = bool(notches.any())
+    figure, panels = plt.subplots(1 + both, 1, figsize=(9.0, 7.0 if both else 4.8), sharex=True, squeeze=False,
+                                  gridspec_kw={'height_ratios': (3, 2)[:1 + both]})
+    speed = panels[0, 0]
+    for i, axes in enumerate(panels[:, 0]):
+        plot_style.shade_curves(axes, runs, labels=i == 0)
     for i, run in enumerate(runs):
         speed.plot(run.location_km, run.speed_kmph, label=run.label, **plot_style.line_style(i))
-        notch.step(run.location_km, shown_notch(run), where='post', **plot_style.line_style(i))
     plot_style.start_at_zero(speed)
-    speed.set_title('Speed and notch of the leading locomotive' if runs[0].locomotive == 1 else
-                    f'Speed of the train and notch of {runs[0].whose}', pad=22)
     speed.set_ylabel('speed [km/h]')
-    notches = np.concatenate([shown_notch(run) for run in runs])
-    notch.set_ylabel('notch' if notches.min() >= 0.0 else 'notch; dynamic brake < 0')
-    notch.set_ylim(min(notches.min(), 0.0) - 0.3, max(notches.max(), 8.0) + 0.4)
-    notch.yaxis.set_major_locator(plt.MaxNLocator(integer=True))
-    plot_style.set_place_axis(notch, runs)
+    if both:
+        _draw_notches(panels[1, 0], runs, notches)
+        speed.set_title('Speed and notch of the leading locomotive' if runs[0].locomotive == 1 else
+                        f'Speed of the train and notch of {runs[0].whose}', pad=22)
+    else:
+        speed.set_title('Speed of the leading locomotive; its notch is 0 all the time', pad=22)
+    plot_style.set_place_axis(panels[-1, 0], runs)
     plot_style.legend_below(figure, speed)
     return figure
+
+
+def _draw_notches(axes: Axes, runs: List[Run], notches: np.ndarray) -> None:
+    for i, run in enumerate(runs):
+        axes.step(run.location_km, shown_notch(run), where='post', **plot_style.line_style(i))
+    axes.set_ylabel('notch' if notches.min() >= 0.0 else 'notch; dynamic brake < 0')
+    axes.set_ylim(min(notches.min(), 0.0) - 0.3, (max(notches.max(), 8.0) if notches.max() > 0.0 else 0.0) + 0.4)
+    axes.yaxis.set_major_locator(plt.MaxNLocator(integer=True))
 
 
 def shown_notch(run: Run) -> np.ndarray:

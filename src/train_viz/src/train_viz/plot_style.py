@@ -2,7 +2,7 @@
 import math
 import os
 import textwrap
-from typing import Any, Dict, Iterable, List, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, Union
 
 import matplotlib
 import numpy as np
@@ -57,7 +57,7 @@ def save(figure: Figure, directory: str, name: str) -> List[str]:
     """Writes NAME.png and NAME.svg, closes the figure and returns the paths."""
     paths = [os.path.join(directory, f'{name}.{suffix}') for suffix in ('png', 'svg')]
     figure.savefig(paths[0], dpi=PNG_DPI)
-    figure.savefig(paths[1], metadata={'Date': None})
+    figure.savefig(paths[1], dpi=PNG_DPI, metadata={'Date': None})  # of the parts that are images
     plt.close(figure)
     return paths
 
@@ -71,6 +71,43 @@ def legend_below(figure: Figure, panels: Union[Axes, Iterable[Axes]], note: str 
     columns = max(1, min(4, 90 // (8 + max(len(label) for label in labels))))  # 90 characters fill a figure
     figure.legend(handles, labels, loc='upper center', bbox_to_anchor=(0.5, 0.0), ncol=columns, title=note or None,
                   markerscale=marker_scale)
+
+
+def legend_above(axes: Axes, columns: int, over_names: bool) -> None:
+    """The legend of one of several panels, between it and what is above, where it cannot hide a curve.
+
+    @param over_names leaves room for the names of track curves
+    """
+    axes.legend(loc='lower left', bbox_to_anchor=(0.0, 1.0), ncol=columns, fontsize=10,
+                borderaxespad=1.7 if over_names else 0.3)  # in font sizes
+
+
+def sides_near(limit: float, low: float, high: float) -> List[float]:
+    """Signs of the sides of zero on which values from low to high come near a limit: beyond half of it (chosen)."""
+    return [sign for sign, reached in ((1.0, high), (-1.0, -low)) if reached > 0.5 * limit]
+
+
+def mark_limit(axes: Axes, line: Callable, limit: float, sides: List[float], words: str) -> None:
+    """A line on each of these sides, which the axis then holds; of a limit far from all values the legend tells the number.
+
+    @param line  axes.axhline or axes.axvline
+    @param words for the legend, {sign} stands before the number
+    """
+    for i, side in enumerate(sides):
+        sign = '\u00b1' if len(sides) > 1 else '-' if side < 0.0 else ''
+        line(side * limit, label=words.format(sign=sign) if i == 0 else None, color='black', linestyle='--', linewidth=1.2)
+    if not sides:
+        axes.plot([], [], linestyle='none', label=words.format(sign='') + ', beyond the axis')
+
+
+def align_zeros(left: Axes, right: Axes) -> None:
+    """One zero for both scales of a panel; values of the right one are >= 0, so its numbers begin there."""
+    low, high = left.get_ylim()
+    low, high = min(low, 0.0), max(high, 0.0)
+    top = right.get_ylim()[1]
+    left.set_ylim(low, high)
+    right.set_ylim(low / high * top, top)
+    right.set_yticks([tick for tick in right.get_yticks() if 0.0 <= tick <= top])
 
 
 def wrapped(label: str, width: int) -> str:
@@ -87,15 +124,19 @@ def place_range_km(runs: List[Run]) -> Tuple[float, float]:
 
 def set_place_axis(axes: Axes, runs: List[Run]) -> None:
     axes.set_xlim(*place_range_km(runs))
-    axes.xaxis.set_major_locator(plt.MaxNLocator(nbins=6, steps=(1, 2, 3, 5, 10)))
+    axes.xaxis.set_major_locator(plt.MaxNLocator(nbins=7, steps=(1, 2, 3, 5, 10)))
     axes.set_xlabel('place of the leading locomotive [km]')
 
 
-def shade_curves(axes: Axes, runs: List[Run], labels: bool = True) -> None:
+def shade_curves(axes: Axes, runs: List[Run], labels: bool = True, range_km: Optional[Tuple[float, float]] = None) -> bool:
     """Shades the curves of all runs' tracks, transitions paler; labels above the frame as far as there is room. And, hatched
-    with the name at the bottom, stretches of other rail."""
-    _shade_sections(axes, runs, labels)
-    first, last = place_range_km(runs)
+    with the name at the bottom, stretches of other rail.
+
+    @param range_km of the place axis; none: that of the leading locomotives
+    @return whether there are names above the frame
+    """
+    first, last = range_km or place_range_km(runs)
+    _shade_sections(axes, runs, labels, (first, last))
     curves = sorted({curve for run in runs for curve in read_curves(run.resolved)}, key=lambda c: c.start_m)
     free_from = first
     for curve in curves:
@@ -110,10 +151,11 @@ def shade_curves(axes: Axes, runs: List[Run], labels: bool = True) -> None:
             axes.annotate(curve.label, (middle, 1.0), xycoords=('data', 'axes fraction'), xytext=(0, 3),
                           textcoords='offset points', ha='center', va='bottom', color='0.35', fontsize=11)
             free_from = middle + width
+    return free_from > first
 
 
-def _shade_sections(axes: Axes, runs: List[Run], labels: bool) -> None:
-    first, last = place_range_km(runs)
+def _shade_sections(axes: Axes, runs: List[Run], labels: bool, range_km: Tuple[float, float]) -> None:
+    first, last = range_km
     sections = sorted({section for run in runs for section in read_rail_sections(run.resolved)})
     free_from = first
     for start, end, name in sections:

@@ -8,6 +8,10 @@ import numpy as np
 from train_viz.adhesion import Adhesion, join_adhesion
 
 
+# residual_relative of the account (docs/files.md), in tables
+RESIDUAL_WORDS = 'residual / traction or brakes, the larger'
+
+
 class ReportError(Exception):
     """Something the user can mend: says which file and what to do."""
 
@@ -107,7 +111,7 @@ class Run:
 
     def brakes(self) -> bool:
         """Whether any brake took energy: more than 1e-6 (chosen) of what went through the rail."""
-        taken = self.account['brake_rail'][-1] + self.account['air_brake'][-1]
+        taken = sum(self.account[name][-1] for name in ('brake_rail', 'air_brake', 'shoes'))
         return bool(taken > 1e-6 * max(abs(self.account['traction_rail'][-1]), 1.0))
 
     def has_air_brake(self) -> bool:

@@ -2,18 +2,19 @@
 from typing import Dict, List
 
 from train_viz import page
+from train_viz.energy_stages import rim_words
 from train_viz.page import Section
 from train_viz.resolved_scenario import read_value
-from train_viz.run import Run
+from train_viz.run import RESIDUAL_WORDS, Run
 
 TITLES = {  # by the beginning of a figure's name, in the order of the page
     'energy_flow': 'where the energy of the whole train goes, from the motors to the sinks',
     'energy_supply': 'from fuel, storage or line to the rim, of locomotives with a supply',
     'energy_account': 'the account of the whole train in bars and numbers',
-    'traction_force': 'traction at the rail over place',
-    'energy': 'energy over place and over speed',
+    'traction_force': 'force at the rail over place',
+    'energy': 'energy over place, and over speed where that only rises',
     'speed_notch': 'speed and notch over place',
-    'trip': 'speed and limit, notches and pressures, height and curvature of the line',
+    'trip': 'speed and limit; notches, pressures, height and curvature of the line as far as there are any',
     'brake_pressures': 'brake pipe and cylinders over time and vehicle',
     'brake_energy': 'what brakes take and where it goes, stores of the supply',
     'coupler_forces': 'in-train forces over time and coupler',
@@ -25,6 +26,7 @@ TITLES = {  # by the beginning of a figure's name, in the order of the page
     'guiding_forces': 'guiding force and its ratio to the vertical force, wheel by wheel',
     'wheel_contacts': 'slip loss and number of contacts, wheel by wheel',
 }
+MOST_COLUMNS = 7  # chosen: of a table 1000 pixels wide, whose heads are then still readable; more become rows
 SECTIONS = (
     ('Energy', ('energy_flow', 'energy_supply', 'energy_account', 'energy')),
     ('Motion and forces', ('trip', 'traction_force', 'speed_notch', 'coupler_forces')),
@@ -43,8 +45,10 @@ def run_page(runs: List[Run], pictures: Dict[str, str]) -> str:
         lead.append(page.notice('Less energy at one place is not a saving where the train is slower: compare speed and '
                                 'time, too.'))
     if any(run.rim_differs() for run in runs):
-        lead.append(page.paragraph('Slip loss depends on the contact stiffness assumed (k0 in the configuration): a '
-                                   'stiffer contact carries the same force with less creep, and loses less.'))
+        lead.append(page.paragraph(f'The rim also pays {rim_words(runs)}.'))
+    if any(run.slip_J.any() for run in runs):
+        lead.append(page.paragraph('A stiffer contact (k0 in the configuration) carries the same force with less creep, and '
+                                   'loses less.'))
     sections = []
     for heading, kinds in SECTIONS:
         pieces = [page.picture(pictures[name], f'{name}: {TITLES[kind]}', f'{name}: {TITLES[kind]}')
@@ -72,9 +76,11 @@ def _ends(runs: List[Run]) -> str:
                     ('air brake of all wagons [MJ]', lambda run: f'{run.account["air_brake"][-1] / 1e6:.2f}')]
     if any(run.has_supply() for run in runs):
         columns.append(('its fuel [l]', lambda run: f'{run.locos["litres"][-1, run.locomotive - 1]:.2f}'))
-    columns.append(("account's residual / traction", lambda run: f'{run.account["residual_relative"][-1]:+.1e}'))
-    return page.table(['run', *(words for words, _ in columns)], [[run.label, *(value(run) for _, value in columns)]
-                                                                  for run in runs])
+    columns.append((RESIDUAL_WORDS, lambda run: f'{run.account["residual_relative"][-1]:+.1e}'))
+    rows = [['run', *(words for words, _ in columns)], *([run.label, *(value(run) for _, value in columns)] for run in runs)]
+    if len(columns) > MOST_COLUMNS:
+        rows = list(zip(*rows))
+    return page.table(rows[0], rows[1:])
 
 
 def _shown_MJ(run: Run, name: str) -> str:

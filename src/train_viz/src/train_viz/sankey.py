@@ -11,7 +11,7 @@ Flow = Tuple[str, str, float]  # words, colour, energy [MJ] > 0
 NODE_WIDTH = 0.025
 SLOT = 0.07         # of the whole height: the least room for a line of text, chosen
 GAP = 0.02          # of the whole height, chosen
-DRAWN_FROM = 1e-6   # of the largest flow, chosen: less is a zero of the account (a level line's potential)
+DRAWN_FROM = 3e-5   # of the largest flow, chosen: a fiftieth of a pixel; the account has its number
 
 
 class Outlet:
@@ -56,6 +56,11 @@ def label(axes: Axes, x: float, y: float, words: str, energy: float, side: str) 
 
 def number(energy: float) -> str:
     return f'{energy:.1f}' if abs(energy) >= 10.0 else f'{round(energy, 6) + 0.0:.3g}'  # to 1 J: less is round-off
+
+
+def signed_number(value: float) -> str:
+    """With three digits, and never as a power of ten where it is 1000 or more."""
+    return f'{value:+.0f}' if abs(value) >= 1000.0 else f'{value:+.3g}'
 
 
 def node(axes: Axes, x: float, low: float, height: float, colour: str) -> None:

@@ -110,6 +110,6 @@ def _which(run: Run) -> str:
 def _foot(supply: Dict[str, float]) -> str:
     words = [f'{supply["litres"]:.1f} l of fuel'] * (supply['litres'] > 0.0)
     if supply['storage_in'] + supply['storage_out'] > 0.0:
-        words.append(f'stored: {supply["stored_change"]:+.3g} MJ since the start, lost in the storage: '
-                     f'{supply["storage_loss"]:.3g} MJ')
+        words.append(f'stored: {sankey.signed_number(supply["stored_change"])} MJ since the start, lost in the storage: '
+                     f'{sankey.number(supply["storage_loss"])} MJ')
     return ';   '.join(words)
