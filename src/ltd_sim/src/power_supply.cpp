@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 #include "ltd_sim/csv_file.hpp"
@@ -82,16 +81,16 @@ PowerSupply::State PowerSupply::initialState() const {
   return state;
 }
 
-void PowerSupply::step(double rim_work_J, double step_s, State& state) const {
+void PowerSupply::step(const RimWork& work, double step_s, State& state) const {
   assert(step_s > 0.0);
   if (!exists()) return;
-  const double motored_J = std::max(rim_work_J, 0.0), recovered_J = std::max(-rim_work_J, 0.0);
-  const double to_motors_J = motored_J / drivetrain_efficiency_;                                       // (F1)
-  const double from_motors_J = recovered_J * drivetrain_efficiency_;                                   // (F2)
-  const double auxiliaries_J = auxiliary_power_W_ * step_s + auxiliary_share_ * std::abs(rim_work_J);  // (F3)
-  state.motored_rim_J += motored_J;
-  state.recovered_rim_J += recovered_J;
-  state.drivetrain_loss_J += (to_motors_J - motored_J) + (recovered_J - from_motors_J);
+  const double to_motors_J = work.motored_J / drivetrain_efficiency_;      // (F1)
+  const double from_motors_J = work.recovered_J * drivetrain_efficiency_;  // (F2)
+  const double auxiliaries_J =
+      auxiliary_power_W_ * step_s + auxiliary_share_ * (work.motored_J + work.recovered_J);  // (F3)
+  state.motored_rim_J += work.motored_J;
+  state.recovered_rim_J += work.recovered_J;
+  state.drivetrain_loss_J += (to_motors_J - work.motored_J) + (work.recovered_J - from_motors_J);
   state.auxiliaries_J += auxiliaries_J;
   const double asked_J = to_motors_J + auxiliaries_J - from_motors_J;  // (F4)
   serveLink(std::max(asked_J, 0.0), step_s, state);

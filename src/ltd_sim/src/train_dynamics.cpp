@@ -16,6 +16,7 @@ TrainDynamics::TrainDynamics(const TrainModel& train, const rail::Track& track, 
       air_brake_(air_brake),
       step_ns_(step),
       H_(rail::toSeconds(step)),
+      booking_(train, track, step),
       track_hint_(train.vehicles.size(), 0),
       is_locomotive_(train.vehicles.size(), false),
       traction_(train.vehicles.size(), 0.0),
@@ -59,7 +60,8 @@ void TrainDynamics::computeCouplerForces(const TrainState& state, TrainForces& f
   forces.coupler.resize(train_.coupler_type.size());
   for (std::size_t i = 0; i < forces.coupler.size(); ++i) {
     const Coupler& coupler = train_.coupler_types[train_.coupler_type[i]];
-    forces.coupler[i] = coupler.computeForce(couplerElongation(i, state), state.v_mps[i] - state.v_mps[i + 1]);
+    forces.coupler[i] =
+        coupler.computeForce(train_.couplerElongation(i, state.s_m), state.v_mps[i] - state.v_mps[i + 1]);
   }
 }
 
@@ -192,84 +194,13 @@ std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
                      forces.grade_N[i];                                // Eq. (1)
     state.v_mps[i] = v_old_[i] + H_ * F / train_.inertial_mass_kg[i];  // (T5)
     state.s_m[i] += H_ * state.v_mps[i];
-    bookVehicle(i, v_old_[i], state.v_mps[i], forces, state.account);
     if (!std::isfinite(state.v_mps[i])) return "vehicle " + std::to_string(i + 1) + ": its speed is not a number";
   }
-  bookCouplers(state, forces, state.account);
-  for (std::size_t j = 0; j < answers.size(); ++j) bookLoco(j, *answers[j], forces, state);
+  booking_.bookStep(v_old_, forces, answers, state);
   const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
   if (air_brake_.present()) air_brake_.step(driver_.lead(state.driver), t, step_ns_, state.air);
   ++state.step;
   return {};
-}
-
-void TrainDynamics::bookLoco(std::size_t j, const loco::LocoTraction& answer, const TrainForces& forces,
-                             TrainState& state) const {
-  const LocoUnit& unit = train_.locomotives[j];
-  const double S = H_ * 0.5 * (v_old_[unit.vehicle] + state.v_mps[unit.vehicle]);
-  const double work_rail = answer.traction_N * S;  // Eq. (4)
-  LocoEnergy& energy = state.loco_energy[j];
-  const bool brakes = forces.reference_N[j] < 0.0 || forces.shoe_N[unit.vehicle] > 0.0;
-  if (brakes && work_rail < 0.0) {
-    energy.brake_rail -= work_rail;
-    state.account.brake_rail -= work_rail;
-  } else {
-    energy.rail += work_rail;
-    state.account.traction_rail += work_rail;
-  }
-  if (answer.work_rim_J < 0.0 && forces.reference_N[j] <= 0.0) {
-    energy.recovered_rim -= answer.work_rim_J;
-    state.account.recovered_rim -= answer.work_rim_J;
-  } else {
-    energy.rim += answer.work_rim_J;
-    state.account.traction_rim += answer.work_rim_J;
-  }
-  energy.slip += answer.work_slip_J;
-  energy.shoes += answer.work_shoes_J;
-  state.account.slip_loss += answer.work_slip_J;
-  state.account.shoes += answer.work_shoes_J;
-  train_.supplies[unit.type].step(answer.work_rim_J, H_, state.supply[j]);
-  if (state.supply[j].empty && state.store_empty_at[j] < 0)
-    state.store_empty_at[j] = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
-}
-
-void TrainDynamics::bookVehicle(std::size_t i, double v_old, double v_new, const TrainForces& forces,
-                                rail::EnergyAccount& account) const {
-  const double S = H_ * 0.5 * (v_old + v_new);  // work of a force: with the mean speed                            (T7)
-  account.propulsion_resistance -= forces.propulsion_N[i] * S;
-  account.curving_resistance -= forces.curving_N[i] * S;
-  account.air_brake -= forces.air_brake_N[i] * S;
-  account.grade -= forces.grade_N[i] * S;
-}
-
-void TrainDynamics::bookCouplers(const TrainState& state, const TrainForces& forces,
-                                 rail::EnergyAccount& account) const {
-  for (std::size_t i = 0; i < forces.coupler.size(); ++i) {
-    const double elongation_speed = 0.5 * (v_old_[i] - v_old_[i + 1] + state.v_mps[i] - state.v_mps[i + 1]);
-    account.coupler_loss += (forces.coupler[i].force_N - forces.coupler[i].mean_N) * elongation_speed * H_;
-  }
-}
-
-void TrainDynamics::updateStoredEnergies(TrainState& state) {
-  double kinetic = 0.0, potential = 0.0, stored = 0.0;
-  for (std::size_t i = 0; i < train_.vehicles.size(); ++i) {
-    const double v = state.v_mps[i];
-    kinetic += 0.5 * train_.inertial_mass_kg[i] * v * v;
-    const double height_m = track_.at(state.s_m[i] - 0.5 * H_ * v, track_hint_[i]).height_m;  // (T9)
-    potential -= computeGradeForce(train_.vehicles[i], 1.0) * height_m;
-  }
-  for (std::size_t i = 0; i < train_.coupler_type.size(); ++i) {
-    const double elongation_m = couplerElongation(i, state) - 0.5 * H_ * (state.v_mps[i] - state.v_mps[i + 1]);  // (T9)
-    stored += train_.coupler_types[train_.coupler_type[i]].computeStoredEnergy(elongation_m);
-  }
-  state.account.kinetic = kinetic;
-  state.account.potential = potential;
-  state.account.coupler_stored = stored;
-  if (state.step == 0) {
-    state.account.kinetic_start = kinetic;
-    state.account.potential_start = potential;
-    state.account.coupler_stored_start = stored;
-  }
 }
 
 int TrainDynamics::vehicleOffTrack(const TrainState& state) const {

@@ -113,7 +113,7 @@ PowerSupply readConfig(const std::string& name, double full_rim_power_W) {
 TEST(PowerSupplyReadTest, TheDieselOfTheConfigServesThePapersTractionWith7PercentOfSlip) {
   const PowerSupply supply = readConfig("diesel_electric.yaml", 1.07 * 4.10e6);
   PowerSupply::State s = supply.initialState();
-  supply.step(4.10e6 * 3600.0, 3600.0, s);
+  supply.step(ltd::RimWork(4.10e6 * 3600.0), 3600.0, s);
   const double shaft_W = (4.10e6 / 0.989 + 13e3 + 1.1e-3 * 4.10e6) / 0.980;  // 4.2481 MW, share 0.9235
   EXPECT_NEAR(s.generator_loss_J / 3600.0, 0.02 * shaft_W, 1e-6 * shaft_W);
   const double efficiency = 0.425 + (shaft_W / 4.6e6 - 0.849) / (1.0 - 0.849) * (0.418 - 0.425);

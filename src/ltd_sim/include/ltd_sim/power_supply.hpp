@@ -2,6 +2,7 @@
 
 #include "ltd_sim/diesel_engine.hpp"
 #include "ltd_sim/energy_storage.hpp"
+#include "ltd_sim/loco_energy.hpp"
 #include "rail_core/yaml_reader.hpp"
 
 namespace ltd {
@@ -62,9 +63,8 @@ class PowerSupply {
 
   State initialState() const;
 
-  /// Books one macro step. @param rim_work_J  net work at the locomotive's wheel rims over the step, torque times spin,
-  /// + motoring, - dynamic braking [J]. @param step_s  macro step H, > 0
-  void step(double rim_work_J, double step_s, State& state) const;
+  /// Books one macro step. @param step_s  macro step H, > 0
+  void step(const RimWork& work, double step_s, State& state) const;
 
   /// Power at the rim [W] that the next step can be served with, >= 0. Infinite for none, diesel (its rated power was
   /// checked when it was read) and line.                                                               (F13)

@@ -38,7 +38,7 @@ def between_rim_and_rail(run: Run) -> Dict[str, np.ndarray]:
 
 def _braking(run: Run) -> np.ndarray:
     taken, given = (np.diff(run.locos[name], axis=0, prepend=0.0) for name in ('brake_rail', 'energy_rail'))
-    return taken > np.maximum(given, 0.0)  # a train that rolls back at a start takes from the rail without a brake
+    return taken > np.maximum(given, 0.0)  # the wheels of a coasting locomotive take a little without a brake
 
 
 def _sum_where(cumulative: np.ndarray, flags: np.ndarray) -> np.ndarray:
