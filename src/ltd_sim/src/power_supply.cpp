@@ -91,31 +91,37 @@ void PowerSupply::step(const RimWork& work, double step_s, State& state) const {
   state.motored_rim_J += work.motored_J;
   state.recovered_rim_J += work.recovered_J;
   state.drivetrain_loss_J += (to_motors_J - work.motored_J) + (work.recovered_J - from_motors_J);
-  state.auxiliaries_J += auxiliaries_J;
   const double asked_J = to_motors_J + auxiliaries_J - from_motors_J;  // (F4)
-  serveLink(std::max(asked_J, 0.0), step_s, state);
+  const double lacking_J = serveLink(std::max(asked_J, 0.0), step_s, state);
   spillLink(std::max(-asked_J, 0.0), step_s, state);
+  const double unfed_J = std::min(lacking_J, auxiliaries_J);
+  state.auxiliaries_J += auxiliaries_J - unfed_J;
+  state.auxiliaries_unfed_J += unfed_J;
+  state.unserved_J += lacking_J - unfed_J;
+  state.empty = hasStorage() && storage_.isEmpty(state.stored_J);
 }
 
 /// What the link is short of: from the storage first, the rest from engine or line.                      (F5)
-void PowerSupply::serveLink(double asked_J, double step_s, State& state) const {
+/// @return what nobody gives [J], >= 0
+double PowerSupply::serveLink(double asked_J, double step_s, State& state) const {
   double rest_J = asked_J;
   if (hasStorage()) {
     const double out_J = storage_.stepOut(asked_J, step_s, state.stored_J);
     state.storage_out_J += out_J;
     state.storage_loss_J += storage_.computeLossOut(out_J);
     rest_J -= out_J;
-    state.empty = rest_J > 0.0 && state.stored_J <= storage_.lowestEnergy();
   }
   if (hasEngine()) {
     runEngine(rest_J, step_s, state);
-  } else if (hasLine()) {
+    return 0.0;
+  }
+  if (hasLine()) {
     const double drawn_J = rest_J / line_efficiency_;
     state.line_drawn_J += drawn_J;
     state.line_loss_J += drawn_J - rest_J;
-  } else {
-    state.unserved_J += rest_J;
+    return 0.0;
   }
+  return rest_J;
 }
 
 /// What the link has too much of: into the storage, then back to the line, the rest into the resistors. (F6)

@@ -8,6 +8,18 @@
 
 namespace ltd {
 
+namespace {
+
+/// Of the couplers on a vehicle, + forward.
+double frontForce(const TrainForces& forces, std::size_t vehicle) {
+  return vehicle > 0 ? forces.coupler[vehicle - 1].force_N : 0.0;
+}
+double rearForce(const TrainForces& forces, std::size_t vehicle) {
+  return vehicle < forces.coupler.size() ? -forces.coupler[vehicle].force_N : 0.0;
+}
+
+}  // namespace
+
 TrainDynamics::TrainDynamics(const TrainModel& train, const rail::Track& track, const Driver& driver,
                              const AirBrake& air_brake, rail::Nanoseconds step)
     : train_(train),
@@ -95,14 +107,27 @@ void TrainDynamics::decide(TrainState& state, TrainForces& forces) const {
     const double v = state.v_mps[unit.vehicle];
     forces.notch[i] = command.emergency ? 0 : command.notch;
     forces.brake_notch[i] = command.brake_notch;
-    const double available_W = train_.supplies[unit.type].availableRimPower(state.supply[i], H_);
     double target_N = traction.computeForce(forces.notch[i], v);
-    if (target_N * std::max(v, 0.0) > available_W) target_N = available_W / v;
-    if (available_W <= 0.0) target_N = 0.0;
     if (forces.brake_notch[i] > 0) target_N = -train_.dynamic_brakes[unit.type].computeForce(forces.brake_notch[i], v);
-    forces.reference_N[i] = respond(unit, state.reference_N[i], target_N);
+    const double available_W = train_.supplies[unit.type].availableRimPower(state.supply[i], H_);
+    forces.reference_N[i] = std::min(respond(unit, state.reference_N[i], target_N),
+                                     computeServedForce(unit.vehicle, available_W, state, forces));
     forces.rim_power_limit_W[i] = std::min(traction.computeRimPowerLimit(forces.notch[i]), available_W);
   }
+}
+
+/// The largest force of a locomotive that a power serves over the coming step, by which its speed changes:     (F16)
+///   F (v + H/2 (F + O)/m) = P,   O: all that acts on it but traction and its own shoes, which only make it slower
+/// 0 of no power, also for a locomotive that rolls back. Power electronics obey at once, so (T4) does not hold it up.
+double TrainDynamics::computeServedForce(std::size_t vehicle, double power_W, const TrainState& state,
+                                         const TrainForces& forces) const {
+  if (power_W <= 0.0) return 0.0;
+  if (std::isinf(power_W)) return power_W;
+  const double others_N = frontForce(forces, vehicle) + rearForce(forces, vehicle) + forces.propulsion_N[vehicle] +
+                          forces.curving_N[vehicle] + forces.grade_N[vehicle];
+  const double k = 0.5 * H_ / train_.inertial_mass_kg[vehicle];
+  const double v_without = state.v_mps[vehicle] + k * others_N;
+  return 2.0 * power_W / (v_without + std::sqrt(v_without * v_without + 4.0 * k * power_W));
 }
 
 /// Motor response (T4) over both signs: from traction to braking, or back, through 0.
@@ -125,8 +150,8 @@ void TrainDynamics::computeTrackForces(const TrainState& state, TrainForces& for
   for (std::size_t i = 0; i < n; ++i) {
     const rail::Vehicle& vehicle = train_.vehicles[i];
     const rail::TrackPoint here = track_.at(state.s_m[i], track_hint_[i]);
-    const double F_c1 = i > 0 ? forces.coupler[i - 1].force_N : 0.0;
-    const double F_c2 = i + 1 < n ? -forces.coupler[i].force_N : 0.0;
+    const double F_c1 = frontForce(forces, i);
+    const double F_c2 = rearForce(forces, i);
     const double F_G = computeGradeForce(vehicle, here.grade);
     const double R_pr = computePropulsionResistance(vehicle, state.v_mps[i]);
     const double R_cr = computeCurvingResistance(vehicle, here.curvature_1pm);
@@ -168,8 +193,8 @@ void TrainDynamics::fillLocoForce(std::size_t i, const TrainState& state, const 
   out.shoe_force_N = forces.shoe_N[vehicle];
   out.sanding = driver_.lead(state.driver).sanding;
   out.rim_power_limit_W = forces.rim_power_limit_W[i];
-  out.coupler_front_N = vehicle > 0 ? forces.coupler[vehicle - 1].force_N : 0.0;
-  out.coupler_rear_N = vehicle + 1 < train_.vehicles.size() ? -forces.coupler[vehicle].force_N : 0.0;
+  out.coupler_front_N = frontForce(forces, vehicle);
+  out.coupler_rear_N = rearForce(forces, vehicle);
   out.propulsion_resistance_N = forces.propulsion_N[vehicle];
   out.curving_resistance_N = forces.curving_N[vehicle];
   out.grade_N = forces.grade_N[vehicle];
@@ -188,8 +213,8 @@ std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
   }
   v_old_ = state.v_mps;
   for (std::size_t i = 0; i < n; ++i) {
-    const double F_c1 = i > 0 ? forces.coupler[i - 1].force_N : 0.0;
-    const double F_c2 = i + 1 < n ? -forces.coupler[i].force_N : 0.0;
+    const double F_c1 = frontForce(forces, i);
+    const double F_c2 = rearForce(forces, i);
     const double F = F_c1 + F_c2 + traction_[i] + forces.air_brake_N[i] + forces.propulsion_N[i] + forces.curving_N[i] +
                      forces.grade_N[i];                                // Eq. (1)
     state.v_mps[i] = v_old_[i] + H_ * F / train_.inertial_mass_kg[i];  // (T5)

@@ -40,10 +40,11 @@ State after(const PowerSupply& supply, double rim_work_J) {
 }
 
 std::vector<double> energiesOf(const State& s) {
-  return {s.stored_J,      s.stored_start_J,  s.motored_rim_J,    s.recovered_rim_J, s.drivetrain_loss_J,
-          s.auxiliaries_J, s.generator_J,     s.generator_loss_J, s.engine_loss_J,   s.fuel_J,
-          s.idle_fuel_J,   s.overload_J,      s.storage_in_J,     s.storage_out_J,   s.storage_loss_J,
-          s.line_drawn_J,  s.line_returned_J, s.line_loss_J,      s.to_resistors_J,  s.unserved_J};
+  return {s.stored_J,           s.stored_start_J,  s.motored_rim_J,    s.recovered_rim_J, s.drivetrain_loss_J,
+          s.auxiliaries_J,      s.generator_J,     s.generator_loss_J, s.engine_loss_J,   s.fuel_J,
+          s.idle_fuel_J,        s.overload_J,      s.storage_in_J,     s.storage_out_J,   s.storage_loss_J,
+          s.line_drawn_J,       s.line_returned_J, s.line_loss_J,      s.to_resistors_J,  s.unserved_J,
+          s.auxiliaries_unfed_J};
 }
 
 TEST(PowerSupplyTest, NoSupplyBooksNothingAndLimitsNothing) {
@@ -167,17 +168,34 @@ TEST(PowerSupplyTest, AnEmptyStorageServesNothingAndSaysSo) {
   s.stored_J = s.stored_start_J = 1e6;
   supply.step(RimWork(4e5), kStep, s);
   EXPECT_TRUE(s.empty);
-  EXPECT_NEAR(s.unserved_J, 5.6e5, kTiny);
+  EXPECT_NEAR(s.unserved_J, 5e5, kTiny);           // 4e5/0.8: the wheels did turn
+  EXPECT_NEAR(s.auxiliaries_unfed_J, 6e4, kTiny);  // 2e4 + 0.1 4e5
+  EXPECT_EQ(s.auxiliaries_J, 0.0);
   EXPECT_NEAR(s.residual(), 0.0, kTiny);
   supply.step(RimWork(-4e5), kStep, s);  // braking fills it
   EXPECT_FALSE(s.empty);
   EXPECT_GT(s.stored_J, 1e6);
 }
 
-TEST(PowerSupplyTest, BeyondTheStoragesPowerTheRestIsUnservedButItIsNotEmpty) {
-  const State s = after(battery(), 1e6);
-  EXPECT_NEAR(s.unserved_J, 3.7e5, kTiny);
+TEST(PowerSupplyTest, BeyondTheStoragesPowerTheAuxiliariesStarveThenTheRestIsUnservedButItIsNotEmpty) {
+  const State s = after(battery(), 1e6);  // asked 1.25e6 + 2e4 + 1e5, given 1e6
+  EXPECT_NEAR(s.auxiliaries_unfed_J, 1.2e5, kTiny);
+  EXPECT_NEAR(s.unserved_J, 2.5e5, kTiny);
   EXPECT_FALSE(s.empty);
+  const State little = after(battery(), 7.5e5);  // asked 9.375e5 + 2e4 + 7.5e4
+  EXPECT_NEAR(little.auxiliaries_J, 1e6 - 9.375e5, kTiny);
+  EXPECT_NEAR(little.auxiliaries_unfed_J, 3.25e4, kTiny);
+  EXPECT_EQ(little.unserved_J, 0.0);
+}
+
+TEST(PowerSupplyTest, AStorageThatServesJustItsLastIsEmptyThoughNobodyAsksForMore) {
+  const std::string head = changed(changed(supplyHead("storage"), "1.0e4", "0"), "0.1", "0");
+  const PowerSupply supply = readSupply(head + storageText());
+  State s = supply.initialState();
+  s.stored_J = s.stored_start_J = 1.3e6;
+  supply.step(RimWork(supply.availableRimPower(s, kStep) * kStep), kStep, s);
+  EXPECT_TRUE(s.empty);
+  EXPECT_EQ(s.unserved_J, 0.0);
 }
 
 TEST(PowerSupplyTest, ALinePaysItsLossBothWaysAndTakesBackOnlyIfItRegenerates) {

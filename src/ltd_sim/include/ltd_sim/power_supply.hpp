@@ -12,9 +12,10 @@ namespace ltd {
 ///   rail | rim -- drivetrain -- link -- generator -- shaft -- engine -- fuel
 ///                                |---- auxiliaries, storage, line, resistors
 ///
-/// Motoring, the storage gives first (strategy `assist`, chosen), engine or line the rest. Braking, what comes back
+/// Motoring, the storage gives first (strategy `assist`, chosen), engine or line the rest; what then lacks, the
+/// auxiliaries do without. Braking, what comes back
 /// feeds the auxiliaries, then the storage, then a line that takes it, and the rest heats the resistors. The engine
-/// never charges the storage (chosen). Equations (F1) to (F14): docs/energy.md.
+/// never charges the storage (chosen). Equations (F1) to (F16): docs/energy.md.
 ///
 /// YAML `supply`: name, kind (diesel, diesel_storage, storage, overhead_line), drivetrain_efficiency,
 /// auxiliary_power_W, auxiliary_share_of_rim_power; with an engine `engine` and generator_efficiency, with a storage
@@ -30,7 +31,8 @@ class PowerSupply {
     double motored_rim_J = 0.0;                   ///< work of the motors at the wheel rims
     double recovered_rim_J = 0.0;                 ///< work of the rims on the motors, in dynamic braking
     double drivetrain_loss_J = 0.0;               ///< between rim and link, both ways
-    double auxiliaries_J = 0.0;                   ///< compressor, fans, control; they load the link
+    double auxiliaries_J = 0.0;                   ///< compressor, fans, control: what they got from the link
+    double auxiliaries_unfed_J = 0.0;             ///< and what they asked for beyond, in vain; for a report, no balance
     double generator_J = 0.0;                     ///< from the generator into the link
     double generator_loss_J = 0.0;                ///< between shaft and link
     double engine_loss_J = 0.0;                   ///< between fuel and shaft, idling included
@@ -44,8 +46,8 @@ class PowerSupply {
     double line_returned_J = 0.0;  ///< to the overhead line, after its loss
     double line_loss_J = 0.0;      ///< between line and link (transformer, converter), both ways
     double to_resistors_J = 0.0;   ///< recovered, and taken by nobody
-    double unserved_J = 0.0;       ///< asked of the link, and given by nobody
-    bool empty = false;            ///< in the last step the storage was asked for more than it held
+    double unserved_J = 0.0;       ///< what the motors took from the link beyond what anybody gave it
+    bool empty = false;            ///< the storage is at its lowest charge
 
     /// What the chain does not explain [J]: sources less sinks.                                         (F12)
     double residual() const;
@@ -79,7 +81,7 @@ class PowerSupply {
  private:
   void readParts(rail::YamlReader& reader);
   double computeRimPower(double link_power_W) const;
-  void serveLink(double asked_J, double step_s, State& state) const;
+  double serveLink(double asked_J, double step_s, State& state) const;
   void spillLink(double surplus_J, double step_s, State& state) const;
   void runEngine(double link_J, double step_s, State& state) const;
 

@@ -52,6 +52,8 @@ class TrainDynamics {
   void computeTrackForces(const TrainState& state, TrainForces& forces);
   void fillView(const TrainState& state, TrainForces& forces) const;
   double respond(const LocoUnit& unit, double last_N, double target_N) const;
+  double computeServedForce(std::size_t vehicle, double power_W, const TrainState& state,
+                            const TrainForces& forces) const;
   void computeStepUse(TrainForces& forces) const;
 
   const TrainModel& train_;
