@@ -25,8 +25,8 @@ PowerSupply::Kind kindOf(const std::string& name) {
 
 double PowerSupply::State::residual() const {
   const double sources_J = fuel_J + line_drawn_J + recovered_rim_J + unserved_J + (stored_start_J - stored_J);
-  const double sinks_J = motored_rim_J + auxiliaries_J + line_returned_J + to_resistors_J + drivetrain_loss_J +
-                         generator_loss_J + engine_loss_J + storage_loss_J + line_loss_J;
+  const double sinks_J = motored_rim_J + auxiliaries_J + line_returned_J + to_resistors_J + motored_loss_J +
+                         recovered_loss_J + generator_loss_J + engine_loss_J + storage_loss_J + line_loss_J;
   return sources_J - sinks_J;  // (F12)
 }
 
@@ -90,7 +90,8 @@ void PowerSupply::step(const RimWork& work, double step_s, State& state) const {
       auxiliary_power_W_ * step_s + auxiliary_share_ * (work.motored_J + work.recovered_J);  // (F3)
   state.motored_rim_J += work.motored_J;
   state.recovered_rim_J += work.recovered_J;
-  state.drivetrain_loss_J += (to_motors_J - work.motored_J) + (work.recovered_J - from_motors_J);
+  state.motored_loss_J += to_motors_J - work.motored_J;
+  state.recovered_loss_J += work.recovered_J - from_motors_J;
   const double asked_J = to_motors_J + auxiliaries_J - from_motors_J;  // (F4)
   const double lacking_J = serveLink(std::max(asked_J, 0.0), step_s, state);
   spillLink(std::max(-asked_J, 0.0), step_s, state);

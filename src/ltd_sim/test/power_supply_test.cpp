@@ -40,11 +40,11 @@ State after(const PowerSupply& supply, double rim_work_J) {
 }
 
 std::vector<double> energiesOf(const State& s) {
-  return {s.stored_J,           s.stored_start_J,  s.motored_rim_J,    s.recovered_rim_J, s.drivetrain_loss_J,
-          s.auxiliaries_J,      s.generator_J,     s.generator_loss_J, s.engine_loss_J,   s.fuel_J,
-          s.idle_fuel_J,        s.overload_J,      s.storage_in_J,     s.storage_out_J,   s.storage_loss_J,
-          s.line_drawn_J,       s.line_returned_J, s.line_loss_J,      s.to_resistors_J,  s.unserved_J,
-          s.auxiliaries_unfed_J};
+  return {s.stored_J,         s.stored_start_J,     s.motored_rim_J,   s.recovered_rim_J,  s.motored_loss_J,
+          s.recovered_loss_J, s.auxiliaries_J,      s.generator_J,     s.generator_loss_J, s.engine_loss_J,
+          s.fuel_J,           s.idle_fuel_J,        s.overload_J,      s.storage_in_J,     s.storage_out_J,
+          s.storage_loss_J,   s.line_drawn_J,       s.line_returned_J, s.line_loss_J,      s.to_resistors_J,
+          s.unserved_J,       s.auxiliaries_unfed_J};
 }
 
 TEST(PowerSupplyTest, NoSupplyBooksNothingAndLimitsNothing) {
@@ -60,7 +60,8 @@ TEST(PowerSupplyTest, MotoringBooksEachStageFromTheRimToTheFuel) {
   const State s = after(diesel(), 4e5);
   EXPECT_EQ(s.motored_rim_J, 4e5);
   EXPECT_EQ(s.recovered_rim_J, 0.0);
-  EXPECT_NEAR(s.drivetrain_loss_J, 1e5, kTiny);   // 4e5/0.8 - 4e5
+  EXPECT_EQ(s.recovered_loss_J, 0.0);
+  EXPECT_NEAR(s.motored_loss_J, 1e5, kTiny);      // 4e5/0.8 - 4e5
   EXPECT_NEAR(s.auxiliaries_J, 6e4, kTiny);       // 1e4 W 2 s + 0.1 4e5
   EXPECT_NEAR(s.generator_J, 5.6e5, kTiny);       // 5e5 + 6e4
   EXPECT_NEAR(s.generator_loss_J, 2.4e5, kTiny);  // 5.6e5/0.7 = 8e5 at the shaft, 0.4 MW
@@ -76,7 +77,8 @@ TEST(PowerSupplyTest, BrakingFeedsTheAuxiliariesAndHeatsTheResistorsWhileTheEngi
   const State s = after(diesel(), -4e5);
   EXPECT_EQ(s.motored_rim_J, 0.0);
   EXPECT_EQ(s.recovered_rim_J, 4e5);
-  EXPECT_NEAR(s.drivetrain_loss_J, 8e4, kTiny);  // 4e5 - 4e5 0.8
+  EXPECT_EQ(s.motored_loss_J, 0.0);
+  EXPECT_NEAR(s.recovered_loss_J, 8e4, kTiny);  // 4e5 - 4e5 0.8
   EXPECT_NEAR(s.auxiliaries_J, 6e4, kTiny);
   EXPECT_NEAR(s.to_resistors_J, 2.6e5, kTiny);  // 3.2e5 - 6e4
   EXPECT_EQ(s.generator_J, 0.0);
@@ -147,7 +149,8 @@ TEST(PowerSupplyTest, ARoundTripThroughTheStorageLosesWhatItsFourEfficienciesSay
   supply.step(RimWork(1e5 * 0.8 * 0.9 * 0.95 * 0.8), kStep, s);
   EXPECT_NEAR(s.stored_J, s.stored_start_J, kTiny);
   EXPECT_NEAR(s.storage_loss_J, 8e4 * (1.0 - 0.9 * 0.95), kTiny);
-  EXPECT_NEAR(s.drivetrain_loss_J, 2e4 + 6.84e4 * 0.2, kTiny);
+  EXPECT_NEAR(s.recovered_loss_J, 2e4, kTiny);
+  EXPECT_NEAR(s.motored_loss_J, 6.84e4 * 0.2, kTiny);
   EXPECT_NEAR(s.residual(), 0.0, kTiny);
   EXPECT_EQ(s.unserved_J, 0.0);
 }

@@ -30,7 +30,8 @@ class PowerSupply {
     double stored_J = 0.0, stored_start_J = 0.0;  ///< in the storage, now and at the start
     double motored_rim_J = 0.0;                   ///< work of the motors at the wheel rims
     double recovered_rim_J = 0.0;                 ///< work of the rims on the motors, in dynamic braking
-    double drivetrain_loss_J = 0.0;               ///< between rim and link, both ways
+    double motored_loss_J = 0.0;                  ///< between link and rim, motoring
+    double recovered_loss_J = 0.0;                ///< between rim and link, braking
     double auxiliaries_J = 0.0;                   ///< compressor, fans, control: what they got from the link
     double auxiliaries_unfed_J = 0.0;             ///< and what they asked for beyond, in vain; for a report, no balance
     double generator_J = 0.0;                     ///< from the generator into the link
