@@ -91,7 +91,7 @@ AirBrake::State AirBrake::initialState() const {
   return state;
 }
 
-void AirBrake::step(const DriverCommand& command, rail::Nanoseconds /*t*/, rail::Nanoseconds H, State& state) const {
+void AirBrake::step(const DriverCommand& command, rail::Nanoseconds H, State& state) const {
   if (!present()) return;
   const bool same = sameForBrake(command, state.command);
   state.command = command;

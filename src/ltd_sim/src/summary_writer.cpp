@@ -48,7 +48,7 @@ void SummaryWriter::noteStepUse(const TrainForces& forces) {
   }
 }
 
-void SummaryWriter::reportLocos(double location_m, double w, const TrainState& before, const TrainState& after) {
+void SummaryWriter::reportLocos(double location_m, double w, const TrainSnapshot& before, const TrainSnapshot& after) {
   const auto between = [w](double a, double b) { return a + w * (b - a); };
   const double H = rail::toSeconds(scenario_.macro_step);
   const double time_s = between(static_cast<double>(before.step), static_cast<double>(after.step)) * H;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ltd_sim/resistance.hpp"
 
@@ -32,7 +33,7 @@ TrainDynamics::TrainDynamics(const TrainModel& train, const rail::Track& track, 
       track_hint_(train.vehicles.size(), 0),
       is_locomotive_(train.vehicles.size(), false),
       traction_(train.vehicles.size(), 0.0),
-      v_old_(train.vehicles.size(), 0.0) {
+      v_next_(train.vehicles.size(), 0.0) {
   for (const LocoUnit& unit : train.locomotives) is_locomotive_[unit.vehicle] = true;
 }
 
@@ -202,30 +203,40 @@ void TrainDynamics::fillLocoForce(std::size_t i, const TrainState& state, const 
   out.location_m = state.s_m[vehicle];
 }
 
-std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
-                                const std::vector<const loco::LocoTraction*>& answers) {
-  const std::size_t n = train_.vehicles.size();
+std::string TrainDynamics::computeSpeeds(const TrainState& state, const TrainForces& forces,
+                                         const std::vector<const loco::LocoTraction*>& answers) {
+  for (std::size_t j = 0; j < answers.size(); ++j) traction_[train_.locomotives[j].vehicle] = answers[j]->traction_N;
+  for (std::size_t i = 0; i < v_next_.size(); ++i) {
+    const double F_c1 = frontForce(forces, i);
+    const double F_c2 = rearForce(forces, i);
+    const double F = F_c1 + F_c2 + traction_[i] + forces.air_brake_N[i] + forces.propulsion_N[i] + forces.curving_N[i] +
+                     forces.grade_N[i];                                 // Eq. (1)
+    v_next_[i] = state.v_mps[i] + H_ * F / train_.inertial_mass_kg[i];  // (T5)
+    if (!std::isfinite(v_next_[i])) return "vehicle " + std::to_string(i + 1) + ": its speed is not a number";
+  }
+  return {};
+}
+
+void TrainDynamics::advance(TrainState& state, const TrainForces& forces,
+                            const std::vector<const loco::LocoTraction*>& answers) {
   for (std::size_t j = 0; j < answers.size(); ++j) {
-    traction_[train_.locomotives[j].vehicle] = answers[j]->traction_N;
     state.traction_N[j] = answers[j]->traction_N;
     state.reference_N[j] = forces.reference_N[j];
     state.loco_state[j] = answers[j]->state;
   }
-  v_old_ = state.v_mps;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double F_c1 = frontForce(forces, i);
-    const double F_c2 = rearForce(forces, i);
-    const double F = F_c1 + F_c2 + traction_[i] + forces.air_brake_N[i] + forces.propulsion_N[i] + forces.curving_N[i] +
-                     forces.grade_N[i];                                // Eq. (1)
-    state.v_mps[i] = v_old_[i] + H_ * F / train_.inertial_mass_kg[i];  // (T5)
-    state.s_m[i] += H_ * state.v_mps[i];
-    if (!std::isfinite(state.v_mps[i])) return "vehicle " + std::to_string(i + 1) + ": its speed is not a number";
-  }
-  booking_.bookStep(v_old_, forces, answers, state);
-  const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
-  if (air_brake_.present()) air_brake_.step(driver_.lead(state.driver), t, step_ns_, state.air);
+  std::swap(state.v_mps, v_next_);
+  const std::vector<double>& v_old = v_next_;
+  for (std::size_t i = 0; i < v_old.size(); ++i) state.s_m[i] += H_ * state.v_mps[i];  // (T5)
+  booking_.bookStep(v_old, forces, answers, state);
+  if (air_brake_.present()) air_brake_.step(driver_.lead(state.driver), step_ns_, state.air);
   ++state.step;
-  return {};
+}
+
+std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
+                                const std::vector<const loco::LocoTraction*>& answers) {
+  std::string fault = computeSpeeds(state, forces, answers);
+  if (fault.empty()) advance(state, forces, answers);
+  return fault;
 }
 
 int TrainDynamics::vehicleOffTrack(const TrainState& state) const {

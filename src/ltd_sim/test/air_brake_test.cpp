@@ -18,7 +18,7 @@ TEST(AirBrakeTest, ATrainWithoutOneHasNoForceAndObeysOnlyTheReleasedBrake) {
   const ltd::AirBrake none;
   EXPECT_FALSE(none.present());
   ltd::AirBrake::State state = none.initialState();
-  none.step(ltd::DriverCommand(), 0, fixtures::kBrakeStep, state);
+  none.step(ltd::DriverCommand(), fixtures::kBrakeStep, state);
   EXPECT_EQ(none.shoeForce(5, 10.0, state), 0.0);
   EXPECT_EQ(none.cylinderPressure(5, state), 0.0);
   EXPECT_EQ(none.pipePressure(5, state), 5e5);
@@ -132,11 +132,10 @@ TEST(AirBrakeTest, ACopiedStateGoesOnWithTheSameBits) {
   BrakeRig rig;
   rig.run(pipeAt(3.9), 7.0);
   ltd::AirBrake::State copy = rig.state;
-  rail::Nanoseconds t = rig.t;
-  for (int k = 0; k < 5000; ++k, t += fixtures::kBrakeStep) {
+  for (int k = 0; k < 5000; ++k) {
     const ltd::DriverCommand command = k < 2000 ? pipeAt(5.0) : emergencyCommand();
     rig.step(command);
-    rig.brake.step(command, t, fixtures::kBrakeStep, copy);
+    rig.brake.step(command, fixtures::kBrakeStep, copy);
   }
   for (std::size_t i = 0; i <= kTail; ++i) {
     EXPECT_EQ(rig.brake.pipePressure(i, copy), rig.brake.pipePressure(i, rig.state));

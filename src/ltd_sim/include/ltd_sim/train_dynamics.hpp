@@ -35,8 +35,16 @@ class TrainDynamics {
   /// What locomotive i is told of this step.
   void fillLocoForce(std::size_t i, const TrainState& state, const TrainForces& forces, loco::LocoForce& out) const;
 
-  /// Advances by one step with those very forces and the locomotives' answers, and books the energy.
+  /// Speeds at the end of the step with those very forces and the locomotives' answers. The state stays as it is, so
+  /// a step that fails needs no copy to go back to.
   /// @return empty, or what became of which vehicle (a number that is none)
+  std::string computeSpeeds(const TrainState& state, const TrainForces& forces,
+                            const std::vector<const loco::LocoTraction*>& answers);
+  /// Per vehicle, as computeSpeeds() left them.
+  const std::vector<double>& nextSpeeds() const { return v_next_; }
+  /// Advances to those speeds and books the energy.
+  void advance(TrainState& state, const TrainForces& forces, const std::vector<const loco::LocoTraction*>& answers);
+  /// computeSpeeds(), and advance() if there was nothing wrong.
   std::string step(TrainState& state, const TrainForces& forces, const std::vector<const loco::LocoTraction*>& answers);
 
   /// Brings the stored energies of the account (kinetic, potential, couplers) up to the state.                 (T9)
@@ -66,7 +74,7 @@ class TrainDynamics {
   std::vector<std::size_t> track_hint_;  ///< per vehicle
   std::vector<bool> is_locomotive_;      ///< per vehicle
   std::vector<double> traction_;         ///< scratch, per vehicle
-  std::vector<double> v_old_;            ///< scratch, per vehicle
+  std::vector<double> v_next_;           ///< per vehicle
 };
 
 }  // namespace ltd

@@ -11,23 +11,27 @@
 
 namespace ltd {
 
+/// What the results tell of the train at one moment. Copied in every step, so nothing large may be in it.
+struct TrainSnapshot {
+  std::uint64_t step = 0;                  ///< macro steps committed; the state is that at t = step H
+  std::vector<double> s_m;                 ///< per vehicle: chainage of the CoG
+  std::vector<double> v_mps;               ///< per vehicle
+  std::vector<double> traction_N;          ///< per locomotive: mean traction over the last step
+  std::vector<LocoEnergy> loco_energy;     ///< per locomotive
+  std::vector<PowerSupply::State> supply;  ///< per locomotive
+  rail::EnergyAccount account;             ///< stored energies: as of the last updateStoredEnergies()
+};
+
 /// Everything that changes during a run: copy it, and the run can go on from the copy.
-struct TrainState {
-  std::uint64_t step = 0;           ///< macro steps committed; the state is that at t = step H
-  std::vector<double> s_m;          ///< per vehicle: chainage of the CoG
-  std::vector<double> v_mps;        ///< per vehicle
+struct TrainState : TrainSnapshot {
   std::vector<double> reference_N;  ///< per locomotive: traction reference, the motor response's memory; < 0: braking
-  std::vector<double> traction_N;   ///< per locomotive: mean traction over the last step
-  std::vector<LocoEnergy> loco_energy;          ///< per locomotive
   std::vector<std::vector<double>> loco_state;  ///< per locomotive: s_k of its model; empty before its first step
   Driver::State driver;
   AirBrake::State air;
-  std::vector<PowerSupply::State> supply;         ///< per locomotive
   std::vector<rail::Nanoseconds> store_empty_at;  ///< per locomotive: first time that its store gave out; -1: never
   bool moved = false;                             ///< the train has been on its way
   rail::Nanoseconds standing_since = -1;          ///< at rest since then, having moved; -1: not
   rail::Nanoseconds slow_since = -1;              ///< traction on and below the stall speed since then; -1: not
-  rail::EnergyAccount account;                    ///< stored energies: as of the last updateStoredEnergies()
 };
 
 /// The forces of one step, all at t_k.
