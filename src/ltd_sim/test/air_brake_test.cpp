@@ -180,4 +180,17 @@ TEST(AirBrakeTest, AtRestTheReservoirsMustBeFull) {
   EXPECT_NEAR(rig.cylinder(kTail), 3.8, 1e-12);
 }
 
+TEST(AirBrakeTest, AnEmergencyEmptiesThePipeAndNotTheReservoirs) {
+  BrakeText text;
+  text.valve = "{release: direct, first_reduction_bar: 0.4, release_rise_bar: 0.1, reservoir_charging_bar_per_s: 0.01}";
+  BrakeRig rig(text);
+  rig.run(emergencyCommand(), 60.0);
+  EXPECT_EQ(rig.pipe(0), 0.0);
+  // It releases when the pipe has risen over what the reservoirs have left, 3.5 bar, by 0.1: after 18 s at 0.2 bar/s.
+  EXPECT_NEAR(rig.runUntil(pipeAt(5.0), [&] { return rig.cylinder(0) < 3.8; }), 3.6 / 0.2, 0.01);
+  rig.run(pipeAt(5.0), 151.0);  // from 3.5 to 5 bar at 0.01 bar/s
+  rig.run(pipeAt(3.5), 60.0);
+  EXPECT_NEAR(rig.cylinder(0), 3.8, 1e-12);
+}
+
 }  // namespace
