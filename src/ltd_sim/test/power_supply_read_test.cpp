@@ -129,4 +129,15 @@ TEST(PowerSupplyReadTest, TheHybridAndTheBatteryOfTheConfigBoundTheRimPower) {
   EXPECT_NEAR(battery.availableRimPower(battery.initialState(), 0.002), 3.235e6, 1e3);
 }
 
+TEST(PowerSupplyReadTest, TheLineOfTheConfigPaysItsLossBothWaysAndTakesBack) {
+  const PowerSupply line = readConfig("overhead_line.yaml", 1e9);  // bounds nothing
+  PowerSupply::State pulled = line.initialState(), braked = line.initialState();
+  line.step(ltd::RimWork(4.10e6 * 3600.0), 3600.0, pulled);
+  EXPECT_NEAR(pulled.line_drawn_J / 3.6e6, (4100.0 / 0.989 + 13.0 + 1.1e-3 * 4100.0) / 0.92, 1e-9 * 4e3);  // 4525 kWh
+  line.step(ltd::RimWork(-3.69e6 * 3600.0), 3600.0, braked);
+  EXPECT_NEAR(braked.line_returned_J / 3.6e6, (3690.0 * 0.989 - 13.0 - 1.1e-3 * 3690.0) * 0.92,
+              1e-9 * 4e3);  // 3342 kWh
+  EXPECT_EQ(braked.to_resistors_J, 0.0);
+}
+
 }  // namespace
