@@ -207,6 +207,35 @@ TEST(WheelsetContactTest, CreepForceNeverPassesWhatFrictionOffersHoweverStiffThe
   EXPECT_GT(largest_use, 0.99);
 }
 
+/// Turning of a wheelset that shoes press at 0.5 m/s on a rail of little friction, largest after `from` of 100 steps.
+double largestTurningUnderShoes(double shoes_N_m, int from) {
+  loco::RailConditions rail = cleanRail();
+  rail.elsewhere.friction.mu0 = 0.05;  // stiff creep: the straight lines of (W5) pass what it offers
+  const WheelsetContact contact = contactOf(fixtures::ConedWheel{}, rail);
+  Vector6 inertia;
+  inertia << 3400.0, 3400.0, 3400.0, 2134.0, 1432.0, 2134.0;
+  WheelsetMotion motion = rolling(0.5);
+  motion.q[loco::kZ] = -1.1e-4;
+  WheelsetContact::Contacts contacts;
+  double largest_radps = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    contact.compute(motion, contacts);
+    Vector6 load = Vector6::Zero();
+    load[loco::kZ] = -kAxleLoad_N;
+    WheelsetContact::addForces(inertia, 5e-4, contacts, load, {shoes_N_m, motion.v[loco::kPitch]});
+    motion.v += 5e-4 * load.cwiseQuotient(inertia);
+    motion.v[loco::kX] = 0.5;
+    motion.q += 5e-4 * motion.v;
+    if (i >= from) largest_radps = std::max(largest_radps, std::abs(motion.v[loco::kPitch]));
+  }
+  return largest_radps;
+}
+
+TEST(WheelsetContactTest, ShoesThatLockAWheelHoldItStillThoughItsRailOffersLittleFriction) {
+  EXPECT_LT(largestTurningUnderShoes(60e3, 60), 1e-12);  // 60 kN m take 0.94 rad/s in 25 ms
+  EXPECT_GT(largestTurningUnderShoes(1e3, 60), 0.9);     // mu N r = 5.8 kN m keeps it rolling
+}
+
 /// Wavelength of a free wheelset's motion, from its crossings of the track's centre.
 double wavelength(const fixtures::ConedWheel& wheel, double v_mps) {
   const WheelsetContact contact({wheel.wheel_radius_m, 100e3, {210e9, 0.28}, 82e9}, cleanRail(),
