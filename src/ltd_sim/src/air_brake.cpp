@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace ltd {
 
@@ -64,17 +63,6 @@ AirBrake AirBrake::read(rail::YamlReader reader, const TrainModel& train) {
   }
   for (const LocoUnit& unit : train.locomotives) result.vehicles_[unit.vehicle].locomotive = true;
   return result;
-}
-
-std::string AirBrake::refuse(const DriverCommand& c) const {
-  std::ostringstream fault;
-  if (!(c.pipe_pressure_Pa >= 0.0 && c.pipe_pressure_Pa <= kChargedPipe_Pa))
-    fault << "pipe pressure " << c.pipe_pressure_Pa << " Pa: must be from 0 to " << kChargedPipe_Pa << " Pa";
-  else if (!(c.independent_brake >= 0.0 && c.independent_brake <= 1.0))
-    fault << "independent brake " << c.independent_brake << ": must be from 0 to 1";
-  else if (!present() && !sameForBrake(c, DriverCommand()))
-    fault << "air brake commanded, but the scenario has no air_brake";
-  return fault.str();
 }
 
 AirBrake::State AirBrake::initialState() const {

@@ -36,9 +36,6 @@ class AirBrake {
 
   bool present() const { return !vehicles_.empty(); }
 
-  /// "" if the command can be obeyed, otherwise what is wrong with it. Says nothing of traction.
-  std::string refuse(const DriverCommand& command) const;
-
   /// Pressure in the pipe that asks for full service, over the atmosphere [Pa].
   double fullServicePressure() const { return pipe_.parameters().full_service_Pa; }
 
