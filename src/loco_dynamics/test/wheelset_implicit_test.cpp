@@ -72,33 +72,43 @@ TEST(WheelsetImplicitTest, CreepForceNeverPassesWhatFrictionOffersHoweverStiffTh
   EXPECT_GT(largest_use, 0.99);
 }
 
-/// Turning of a wheelset that shoes press at 0.5 m/s on a rail of little friction, largest after `from` of 100 steps.
-double largestTurningUnderShoes(double shoes_N_m, int from) {
+/// A wheelset that is drawn at a speed over a rail of little friction while shoes press.
+struct Braked {
+  double backwards_radps = 0.0;  ///< largest turning against the motion
+  double last_radps = 0.0;       ///< turning after 50 ms
+};
+
+Braked brake(double v_mps, double shoes_N_m) {
   loco::RailConditions rail = cleanRail();
   rail.elsewhere.friction.mu0 = 0.05;  // stiff creep: the straight lines of (W5) pass what it offers
   const WheelsetContact contact = contactOf(fixtures::ConedWheel{}, rail);
   Vector6 inertia;
   inertia << 3400.0, 3400.0, 3400.0, 2134.0, 1432.0, 2134.0;
-  WheelsetMotion motion = rolling(0.5);
+  WheelsetMotion motion = rolling(v_mps);
   motion.q[loco::kZ] = -1.1e-4;
   WheelsetContact::Contacts contacts;
-  double largest_radps = 0.0;
+  Braked result;
   for (int i = 0; i < 100; ++i) {
     contact.compute(motion, contacts);
     Vector6 load = Vector6::Zero();
     load[loco::kZ] = -kAxleLoad_N;
     WheelsetContact::addForces(inertia, 5e-4, contacts, load, {shoes_N_m, motion.v[loco::kPitch]});
     motion.v += 5e-4 * load.cwiseQuotient(inertia);
-    motion.v[loco::kX] = 0.5;
+    motion.v[loco::kX] = v_mps;
     motion.q += 5e-4 * motion.v;
-    if (i >= from) largest_radps = std::max(largest_radps, std::abs(motion.v[loco::kPitch]));
+    result.last_radps = motion.v[loco::kPitch];
+    result.backwards_radps = std::max(result.backwards_radps, -result.last_radps);
   }
-  return largest_radps;
+  return result;
 }
 
-TEST(WheelsetImplicitTest, ShoesThatLockAWheelHoldItStillThoughItsRailOffersLittleFriction) {
-  EXPECT_LT(largestTurningUnderShoes(60e3, 60), 1e-12);  // 60 kN m take 0.94 rad/s in 25 ms
-  EXPECT_GT(largestTurningUnderShoes(1e3, 60), 0.9);     // mu N r = 5.8 kN m keeps it rolling
+TEST(WheelsetImplicitTest, ShoesLockAWheelAndDoNotTurnItBackwardsAtAnySpeed) {
+  for (const double v_mps : {0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005}) {
+    const Braked locked = brake(v_mps, 60e3);           // 60 kN m take 0.94 rad/s in 25 ms
+    EXPECT_LT(locked.backwards_radps, 1e-12) << v_mps;  // 4e-3 if friction bounds the contacts after the shoes
+    EXPECT_NEAR(locked.last_radps, 0.0, 1e-12) << v_mps;
+    EXPECT_GT(brake(v_mps, 1e3).last_radps, 0.9 * v_mps / kRadius_m) << v_mps;  // mu N r = 5.8 kN m keeps it rolling
+  }
 }
 
 }  // namespace
