@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-
 #include "brake_fixtures.hpp"
 
 namespace {

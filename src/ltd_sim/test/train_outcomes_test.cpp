@@ -136,7 +136,7 @@ TEST(OutcomeTest, AStoresPowerBoundsTheWorkOfEachStepThoughTheTrainGathersSpeedI
   const ltd::Scenario scenario = trip("over: time\nnotches: [[0, 8]]", fixtures::makeTrack(), 7.0);
   for (const ltd::PowerSupply::State& s : fixtures::run(scenario).state.supply) {
     EXPECT_GT(s.storage_out_J, 0.9 * 0.5e6 * 7.0);  // less while the motors respond
-    EXPECT_NEAR(s.auxiliaries_unfed_J, 0.0, 1e-7);     // with the speed at a step's start alone: 10 J
+    EXPECT_NEAR(s.auxiliaries_unfed_J, 0.0, 1e-7);  // with the speed at a step's start alone: 10 J
     EXPECT_EQ(s.unserved_J, 0.0);
   }
 }
