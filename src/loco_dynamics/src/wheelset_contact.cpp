@@ -185,8 +185,8 @@ double WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& co
   }
   const auto solver = system.selfadjointView<Eigen::Lower>().llt();
   Vector6 change = solver.solve(load);  // v_n+1 - v_n
-  const double shoe_N_m = shoes.largest_N_m > 0.0 ? addShoeTorque(solver, shoes, change) : 0.0;
-  load[kPitch] += shoe_N_m;
+  double shoe_N_m = shoes.largest_N_m > 0.0 ? addShoeTorque(solver, shoes, change) : 0.0;
+  bool slides = false;
   for (std::size_t i = 0; i < contacts.count; ++i) {
     Contact& c = contacts.list[i];
     const double along_N = -c.slope_N_s_per_m.x() * alongSlip(c).dot(change);  // (W5)
@@ -194,9 +194,14 @@ double WheelsetContact::addForces(const Vector6& inertia, double h, Contacts& co
     const Eigen::Vector2d implicit = along_N * c.along + across_N * Eigen::Vector2d(-c.along.y(), c.along.x());
     const Eigen::Vector2d before = c.creep_N;
     c.creep_N = withinFriction(before + implicit, c.friction * c.normal_N);
+    slides = slides || c.creep_N != before + implicit;
     const Eigen::Vector2d added = c.creep_N - before;
     load += c.J_x * added.x() + c.J_t * added.y();
   }
+  // The straight lines asked the shoes for more than mu N can turn: beyond it they would turn the wheel backwards.
+  if (slides && shoes.largest_N_m > 0.0)
+    shoe_N_m = computeHoldingForce(shoes.turning_radps * inertia[kPitch] / h + load[kPitch], shoes.largest_N_m);
+  load[kPitch] += shoe_N_m;
   return shoe_N_m;
 }
 

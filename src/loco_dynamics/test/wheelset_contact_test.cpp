@@ -5,37 +5,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "loco_3d_fixtures.hpp"
 #include "rail_core/testing/verification.hpp"
+#include "wheelset_fixtures.hpp"
 
 namespace {
 
+using fixtures::cleanRail;
+using fixtures::contactOf;
+using fixtures::kAxleLoad_N;
+using fixtures::paperRail;
+using fixtures::rolling;
 using loco::Side;
 using loco::Vector6;
 using loco::WheelsetContact;
 using loco::WheelsetMotion;
 
-constexpr double kRadius_m = 0.5335;
-constexpr double kAxleLoad_N = fixtures::kWeight_N / 6.0;
-
-loco::RailConditions paperRail() {
-  loco::RailConditions rail;
-  rail.elsewhere = fixtures::readFile("/adhesion/paper_table1.yaml", loco::readCreepLaw);
-  return rail;
-}
-
-/// Clean steel: Kalker's stiffness, friction 0.4.
-loco::RailConditions cleanRail() {
-  loco::RailConditions rail = paperRail();
-  rail.elsewhere.friction = {0.4, 1.0, 0.0};
-  rail.elsewhere.reduction = {1.0, 1.0, 0.0};
-  return rail;
-}
-
-template <typename Search>
-WheelsetContact contactOf(Search search, const loco::RailConditions& rail = paperRail(), double damping = 100e3) {
-  return {{kRadius_m, damping, {210e9, 0.28}, 82e9}, rail, fixtures::finderOf(search)};
-}
+constexpr double kRadius_m = fixtures::kWheelRadius_m;
 
 /// One contact a wheel at a given angle, whatever the pose is, with its lead.
 struct GivenAngle {
@@ -59,16 +44,6 @@ struct GivenAngle {
     return found;
   }
 };
-
-WheelsetMotion rolling(double v_mps, double yaw_rad = 0.0) {
-  WheelsetMotion motion;
-  motion.q.setZero();
-  motion.v.setZero();
-  motion.q[loco::kYaw] = yaw_rad;
-  motion.v[loco::kX] = v_mps;
-  motion.v[loco::kPitch] = v_mps / kRadius_m;
-  return motion;
-}
 
 TEST(WheelsetContactTest, RollingStraightAheadItSlipsNowhere) {
   WheelsetContact::Contacts contacts;
@@ -152,59 +127,6 @@ TEST(WheelsetContactTest, MirroredMotionsHaveMirroredForcesToTheLastBit) {
   EXPECT_EQ(one.list[0].normal_N, other.list[1].normal_N);
   EXPECT_EQ(one.list[0].creep_N.x(), other.list[1].creep_N.x());
   EXPECT_EQ(one.list[0].creep_N.y(), -other.list[1].creep_N.y());
-}
-
-TEST(WheelsetContactTest, CreepOfCleanSteelIsStableAtTheSpeedsFloor) {
-  // explicitly, a step of 0.5 ms would have to be 20 times shorter
-  const WheelsetContact contact = contactOf(fixtures::ConedWheel{}, cleanRail());
-  Vector6 inertia;
-  inertia << 3400.0, 3400.0, 3400.0, 2134.0, 1432.0, 2134.0;
-  WheelsetMotion motion = rolling(0.5);
-  motion.q[loco::kZ] = -1.1e-4;
-  motion.v[loco::kY] = 1e-3;
-  motion.v[loco::kYaw] = 1e-3;
-  motion.v[loco::kPitch] += 1e-3;
-  WheelsetContact::Contacts contacts;
-  for (int i = 0; i < 200; ++i) {
-    contact.compute(motion, contacts);
-    Vector6 load = Vector6::Zero();
-    load[loco::kZ] = -kAxleLoad_N;
-    WheelsetContact::addForces(inertia, 5e-4, contacts, load, {});
-    motion.v += 5e-4 * load.cwiseQuotient(inertia);
-    motion.q += 5e-4 * motion.v;
-  }
-  EXPECT_LT(std::abs(motion.v[loco::kY]), 1e-4);
-  EXPECT_LT(std::abs(motion.v[loco::kPitch] * kRadius_m - motion.v[loco::kX]), 2e-4);  // the loaded radius is smaller
-}
-
-TEST(WheelsetContactTest, CreepForceNeverPassesWhatFrictionOffersHoweverStiffTheCreep) {
-  loco::RailConditions rail = cleanRail();
-  rail.elsewhere.friction.mu0 = 0.05;
-  const WheelsetContact contact = contactOf(fixtures::ConedWheel{}, rail);
-  Vector6 inertia;
-  inertia << 3400.0, 3400.0, 3400.0, 2134.0, 1432.0, 2134.0;
-  WheelsetMotion motion = rolling(0.5);
-  motion.q[loco::kZ] = -1.1e-4;
-  WheelsetContact::Contacts contacts;
-  double largest_use = 0.0;
-  for (int i = 0; i < 400; ++i) {
-    contact.compute(motion, contacts);
-    Vector6 load = Vector6::Zero();
-    load[loco::kY] = 15e3 * std::sin(0.05 * i);  // across and along: both components take their part
-    load[loco::kZ] = -kAxleLoad_N;
-    load[loco::kPitch] = 20e3;
-    WheelsetContact::addForces(inertia, 5e-4, contacts, load, {});
-    for (std::size_t k = 0; k < contacts.count; ++k) {
-      const WheelsetContact::Contact& c = contacts.list[k];
-      if (c.normal_N > 0.0) largest_use = std::max(largest_use, c.creep_N.norm() / (c.friction * c.normal_N));
-    }
-    motion.v += 5e-4 * load.cwiseQuotient(inertia);
-    motion.v[loco::kX] = 0.5;
-    motion.q += 5e-4 * motion.v;
-    motion.q[loco::kY] = 0.0;
-  }
-  EXPECT_LE(largest_use, 1.0 + 1e-12);
-  EXPECT_GT(largest_use, 0.99);
 }
 
 /// Wavelength of a free wheelset's motion, from its crossings of the track's centre.

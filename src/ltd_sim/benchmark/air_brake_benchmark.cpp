@@ -34,7 +34,7 @@ void BM_AirBrakeMoving(benchmark::State& state) {
   std::int64_t step = 0;
   for (auto _ : state) {
     command.pipe_pressure_Pa = step / kChange % 2 == 0 ? kFullService_Pa : ltd::kChargedPipe_Pa;
-    brake.step(command, step * kStep, kStep, memory);
+    brake.step(command, kStep, memory);
     ++step;
   }
 }
@@ -43,8 +43,8 @@ BENCHMARK(BM_AirBrakeMoving);
 void BM_AirBrakeAtRest(benchmark::State& state) {
   const ltd::AirBrake brake = uicBrake(paperTrain());
   ltd::AirBrake::State memory = brake.initialState();
-  for (std::int64_t step = 0; step < kChange; ++step) brake.step({}, step * kStep, kStep, memory);
-  for (auto _ : state) brake.step({}, 0, kStep, memory);
+  for (std::int64_t step = 0; step < kChange; ++step) brake.step({}, kStep, memory);
+  for (auto _ : state) brake.step({}, kStep, memory);
 }
 BENCHMARK(BM_AirBrakeAtRest);
 
@@ -54,7 +54,7 @@ void BM_ShoeForces(benchmark::State& state) {
   ltd::AirBrake::State memory = brake.initialState();
   ltd::DriverCommand command;
   command.pipe_pressure_Pa = kFullService_Pa;
-  for (std::int64_t step = 0; step < kChange; ++step) brake.step(command, step * kStep, kStep, memory);
+  for (std::int64_t step = 0; step < kChange; ++step) brake.step(command, kStep, memory);
   for (auto _ : state) {
     double sum_N = 0.0;
     for (std::size_t i = 0; i < train.vehicles.size(); ++i) sum_N += brake.shoeForce(i, 10.0, memory);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace ltd {
 
@@ -66,17 +65,6 @@ AirBrake AirBrake::read(rail::YamlReader reader, const TrainModel& train) {
   return result;
 }
 
-std::string AirBrake::refuse(const DriverCommand& c) const {
-  std::ostringstream fault;
-  if (!(c.pipe_pressure_Pa >= 0.0 && c.pipe_pressure_Pa <= kChargedPipe_Pa))
-    fault << "pipe pressure " << c.pipe_pressure_Pa << " Pa: must be from 0 to " << kChargedPipe_Pa << " Pa";
-  else if (!(c.independent_brake >= 0.0 && c.independent_brake <= 1.0))
-    fault << "independent brake " << c.independent_brake << ": must be from 0 to 1";
-  else if (!present() && !sameForBrake(c, DriverCommand()))
-    fault << "air brake commanded, but the scenario has no air_brake";
-  return fault.str();
-}
-
 AirBrake::State AirBrake::initialState() const {
   State state;
   if (!present()) return state;
@@ -91,7 +79,7 @@ AirBrake::State AirBrake::initialState() const {
   return state;
 }
 
-void AirBrake::step(const DriverCommand& command, rail::Nanoseconds /*t*/, rail::Nanoseconds H, State& state) const {
+void AirBrake::step(const DriverCommand& command, rail::Nanoseconds H, State& state) const {
   if (!present()) return;
   const bool same = sameForBrake(command, state.command);
   state.command = command;

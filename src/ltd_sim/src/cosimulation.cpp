@@ -7,18 +7,12 @@
 #include <exception>
 #include <utility>
 
-#include "rail_core/constants.hpp"
 #include "rail_core/digest.hpp"
+#include "run_end.hpp"
 
 namespace ltd {
 
 namespace {
-
-std::string kilometres(double s_m) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f km", s_m / rail::kMetresPerKilometre);
-  return text;
-}
 
 std::string nameOf(std::size_t loco) { return "loco_" + std::to_string(loco + 1); }
 
@@ -83,8 +77,7 @@ void Cosimulation::sendForces() {
 /// @return true once it is known what the driver wants, or that he is silent
 bool Cosimulation::takeCommand() {
   if (const DriverCommand* command = driver_port_->answer()) {
-    std::string fault = scenario_.driver.give(*command, state_.driver);
-    if (fault.empty()) fault = scenario_.air_brake.refuse(*command);
+    const std::string fault = scenario_.driver.give(*command, state_.driver);
     if (fault.empty()) return true;
     driver_port_->refuse(fault);
   }
@@ -113,16 +106,16 @@ bool Cosimulation::tryCommit() {
     sendForces();
   }
   if (!gatherAnswers()) return false;
-  before_ = state_;
   std::string fault = modelFailure();  // first: of an answer that failed nothing else holds
-  if (fault.empty()) fault = dynamics_.step(state_, forces_, answers_);
+  if (fault.empty()) fault = dynamics_.computeSpeeds(state_, forces_, answers_);
   if (fault.empty()) fault = checkSpeeds();
   if (!fault.empty()) {
-    state_ = before_;
     end(Outcome::Kind::kFailed,
         fault + " in step " + std::to_string(state_.step) + " at " + kilometres(locationOfFault()));
     return true;
   }
+  before_ = state_;  // of the large state, what the observers see
+  dynamics_.advance(state_, forces_, answers_);
   for (std::size_t i = 0; i < ports_.size(); ++i) {
     mixIn(outcome_.exchange_digest, loco::payloadDigest(loco_forces_[i]));
     mixIn(outcome_.exchange_digest, loco::payloadDigest(*answers_[i]));
@@ -154,7 +147,8 @@ double Cosimulation::locationOfFault() const {
 
 std::string Cosimulation::checkSpeeds() {
   for (std::size_t i = 0; i < answers_.size(); ++i) {
-    const double drift = std::abs(answers_[i]->speed_mps - state_.v_mps[scenario_.train.locomotives[i].vehicle]);
+    const double drift =
+        std::abs(answers_[i]->speed_mps - dynamics_.nextSpeeds()[scenario_.train.locomotives[i].vehicle]);
     largest_drift_mps_ = std::max(largest_drift_mps_, drift);
     if (!(drift <= scenario_.lock.synchronisation_tolerance_mps)) {
       char text[160];
@@ -168,63 +162,8 @@ std::string Cosimulation::checkSpeeds() {
 }
 
 void Cosimulation::checkEnd() {
-  const int off = dynamics_.vehicleOffTrack(state_);
-  if (leadingLocation() >= scenario_.run.end_location_m) {
-    end(Outcome::Kind::kFinished, "reached " + kilometres(scenario_.run.end_location_m));
-  } else if (off >= 0) {
-    end(Outcome::Kind::kFailed, "vehicle " + std::to_string(off + 1) + " left the track at " +
-                                    kilometres(state_.s_m[static_cast<std::size_t>(off)]));
-  } else if (time() >= scenario_.run.end_time) {
-    char text[48];
-    std::snprintf(text, sizeof text, "reached the end time %g s", rail::toSeconds(scenario_.run.end_time));
-    end(Outcome::Kind::kFinished, text);
-  } else if (const std::string fault = runaway(); !fault.empty()) {
-    end(Outcome::Kind::kFailed, fault);
-  } else if (stands()) {
-    if (silence_.empty())
-      end(Outcome::Kind::kFinished, "stands at " + kilometres(leadingLocation()));
-    else
-      end(Outcome::Kind::kFailed, silence_ + ", and stands at " + kilometres(leadingLocation()));
-  } else if (stalled()) {
-    end(Outcome::Kind::kFailed, "stalled at " + kilometres(leadingLocation()) +
-                                    ": traction on, and slower than stall.speed_below_mps for stall.for_s");
-  }
-}
-
-bool Cosimulation::stalled() {
-  const bool pulling = std::any_of(forces_.notch.begin(), forces_.notch.end(), [](int n) { return n > 0; });
-  if (!pulling || std::abs(leadingSpeed()) >= scenario_.run.stall_speed_mps) {
-    state_.slow_since = -1;
-    return false;
-  }
-  if (state_.slow_since < 0) state_.slow_since = time();
-  return time() - state_.slow_since >= scenario_.run.stall_time;
-}
-
-/// At rest for so long, after having moved, that the run ends: for run.end_at_standstill_s or, if the driver is silent,
-/// for a second.
-bool Cosimulation::stands() {
-  constexpr double kMoving_mps = 0.1, kResting_mps = 0.005;  // chosen: a locomotive's wheels creep on a grade
-  const double v = std::abs(leadingSpeed());
-  state_.moved = state_.moved || v > kMoving_mps;
-  if (!state_.moved || v > kResting_mps) {
-    state_.standing_since = -1;
-    return false;
-  }
-  if (state_.standing_since < 0) state_.standing_since = time();
-  const rail::Nanoseconds asked = scenario_.run.standstill_time;
-  if (asked == 0 && silence_.empty()) return false;
-  return time() - state_.standing_since >= (asked > 0 ? asked : rail::kNanosecondsPerSecond);
-}
-
-std::string Cosimulation::runaway() const {
-  const double limit_mps = forces_.view.speed_limit_mps;
-  if (leadingSpeed() <= limit_mps + scenario_.run.runaway_margin_mps) return {};
-  char text[160];
-  std::snprintf(
-      text, sizeof text, "runaway at %s: %.1f km/h where %.1f are allowed, beyond run.runaway_above_limit_kmph",
-      kilometres(leadingLocation()).c_str(), leadingSpeed() * rail::kKmphPerMps, limit_mps * rail::kKmphPerMps);
-  return text;
+  if (const std::optional<Ending> ending = findEnding(scenario_, dynamics_, forces_, silence_, state_))
+    end(ending->kind, ending->reason);
 }
 
 std::vector<std::string> Cosimulation::notes() const {

@@ -46,17 +46,22 @@ double Distributor::stepGraduated(double pipe_Pa, bool emergency, State& state) 
   return state.applied ? std::clamp(reduction_Pa / p_.full_reduction_Pa, 0.0, 1.0) : 0.0;  // (B3)
 }
 
+/// It falls with the pipe until the cylinder has taken what it takes in full service; then both are equal.
+double Distributor::computeAppliedReservoir(const State& state) const {
+  return std::max(state.lowest_Pa, state.reservoir_Pa - p_.full_reduction_Pa);
+}
+
 double Distributor::stepDirect(double pipe_Pa, bool emergency, double step_s, State& state) const {
-  if (state.applied && !emergency && pipe_Pa >= state.lowest_Pa + p_.release_rise_Pa) {
+  if (state.applied && !emergency && pipe_Pa >= computeAppliedReservoir(state) + p_.release_rise_Pa) {
     state.applied = false;
-    state.reservoir_Pa = state.lowest_Pa;
+    state.reservoir_Pa = computeAppliedReservoir(state);
   } else if (!state.applied && (emergency || state.reservoir_Pa - pipe_Pa >= p_.first_reduction_Pa)) {
     state.applied = true;
     state.lowest_Pa = pipe_Pa;
   }
   if (state.applied) {
     state.lowest_Pa = std::min(state.lowest_Pa, pipe_Pa);
-    return std::clamp((state.reservoir_Pa - state.lowest_Pa) / p_.full_reduction_Pa, 0.0, 1.0);  // (B4)
+    return std::max((state.reservoir_Pa - computeAppliedReservoir(state)) / p_.full_reduction_Pa, 0.0);  // (B4)
   }
   if (pipe_Pa > state.reservoir_Pa)
     state.reservoir_Pa = std::min(pipe_Pa, state.reservoir_Pa + step_s * p_.reservoir_charging_Pa_per_s);

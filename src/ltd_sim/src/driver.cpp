@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "driver_sources.hpp"
+#include "ltd_sim/command_limits.hpp"
 
 namespace ltd {
 
@@ -112,21 +113,9 @@ DriverCommand Driver::groupCommand(std::size_t group, rail::Nanoseconds t, const
 }
 
 std::string Driver::give(const DriverCommand& answer, State& state) const {
-  const auto fault = [](const std::string& what, const std::string& rule) { return what + ": " + rule; };
-  if (answer.notch < 0 || answer.notch > largest_.notch)
-    return fault("notch = " + std::to_string(answer.notch), "must be 0 to " + std::to_string(largest_.notch));
-  if (answer.brake_notch < 0 || answer.brake_notch > largest_.brake_notch)
-    return fault("brake_notch = " + std::to_string(answer.brake_notch),
-                 "must be 0 to " + std::to_string(largest_.brake_notch));
-  if (answer.notch > 0 && answer.brake_notch > 0)
-    return fault("brake_notch = " + std::to_string(answer.brake_notch), "must be 0 beside a notch: never both at once");
-  if (!(answer.pipe_pressure_Pa >= 0.0 && answer.pipe_pressure_Pa <= kChargedPipe_Pa))
-    return fault("pipe_pressure_Pa = " + std::to_string(answer.pipe_pressure_Pa),
-                 "must be 0 to " + std::to_string(kChargedPipe_Pa));
-  if (!(answer.independent_brake >= 0.0 && answer.independent_brake <= 1.0))
-    return fault("independent_brake = " + std::to_string(answer.independent_brake), "must be 0 to 1");
-  state.given = answer;
-  return {};
+  std::string fault = refuseCommand(answer, largest_);
+  if (fault.empty()) state.given = answer;
+  return fault;
 }
 
 }  // namespace ltd

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 #include "ltd_sim/csv_file.hpp"
@@ -26,8 +25,8 @@ PowerSupply::Kind kindOf(const std::string& name) {
 
 double PowerSupply::State::residual() const {
   const double sources_J = fuel_J + line_drawn_J + recovered_rim_J + unserved_J + (stored_start_J - stored_J);
-  const double sinks_J = motored_rim_J + auxiliaries_J + line_returned_J + to_resistors_J + drivetrain_loss_J +
-                         generator_loss_J + engine_loss_J + storage_loss_J + line_loss_J;
+  const double sinks_J = motored_rim_J + auxiliaries_J + line_returned_J + to_resistors_J + motored_loss_J +
+                         recovered_loss_J + generator_loss_J + engine_loss_J + storage_loss_J + line_loss_J;
   return sources_J - sinks_J;  // (F12)
 }
 
@@ -82,41 +81,48 @@ PowerSupply::State PowerSupply::initialState() const {
   return state;
 }
 
-void PowerSupply::step(double rim_work_J, double step_s, State& state) const {
+void PowerSupply::step(const RimWork& work, double step_s, State& state) const {
   assert(step_s > 0.0);
   if (!exists()) return;
-  const double motored_J = std::max(rim_work_J, 0.0), recovered_J = std::max(-rim_work_J, 0.0);
-  const double to_motors_J = motored_J / drivetrain_efficiency_;                                       // (F1)
-  const double from_motors_J = recovered_J * drivetrain_efficiency_;                                   // (F2)
-  const double auxiliaries_J = auxiliary_power_W_ * step_s + auxiliary_share_ * std::abs(rim_work_J);  // (F3)
-  state.motored_rim_J += motored_J;
-  state.recovered_rim_J += recovered_J;
-  state.drivetrain_loss_J += (to_motors_J - motored_J) + (recovered_J - from_motors_J);
-  state.auxiliaries_J += auxiliaries_J;
+  const double to_motors_J = work.motored_J / drivetrain_efficiency_;      // (F1)
+  const double from_motors_J = work.recovered_J * drivetrain_efficiency_;  // (F2)
+  const double auxiliaries_J =
+      auxiliary_power_W_ * step_s + auxiliary_share_ * (work.motored_J + work.recovered_J);  // (F3)
+  state.motored_rim_J += work.motored_J;
+  state.recovered_rim_J += work.recovered_J;
+  state.motored_loss_J += to_motors_J - work.motored_J;
+  state.recovered_loss_J += work.recovered_J - from_motors_J;
   const double asked_J = to_motors_J + auxiliaries_J - from_motors_J;  // (F4)
-  serveLink(std::max(asked_J, 0.0), step_s, state);
+  const double lacking_J = serveLink(std::max(asked_J, 0.0), step_s, state);
   spillLink(std::max(-asked_J, 0.0), step_s, state);
+  const double unfed_J = std::min(lacking_J, auxiliaries_J);
+  state.auxiliaries_J += auxiliaries_J - unfed_J;
+  state.auxiliaries_unfed_J += unfed_J;
+  state.unserved_J += lacking_J - unfed_J;
+  state.empty = hasStorage() && storage_.isEmpty(state.stored_J);
 }
 
 /// What the link is short of: from the storage first, the rest from engine or line.                      (F5)
-void PowerSupply::serveLink(double asked_J, double step_s, State& state) const {
+/// @return what nobody gives [J], >= 0
+double PowerSupply::serveLink(double asked_J, double step_s, State& state) const {
   double rest_J = asked_J;
   if (hasStorage()) {
     const double out_J = storage_.stepOut(asked_J, step_s, state.stored_J);
     state.storage_out_J += out_J;
     state.storage_loss_J += storage_.computeLossOut(out_J);
     rest_J -= out_J;
-    state.empty = rest_J > 0.0 && state.stored_J <= storage_.lowestEnergy();
   }
   if (hasEngine()) {
     runEngine(rest_J, step_s, state);
-  } else if (hasLine()) {
+    return 0.0;
+  }
+  if (hasLine()) {
     const double drawn_J = rest_J / line_efficiency_;
     state.line_drawn_J += drawn_J;
     state.line_loss_J += drawn_J - rest_J;
-  } else {
-    state.unserved_J += rest_J;
+    return 0.0;
   }
+  return rest_J;
 }
 
 /// What the link has too much of: into the storage, then back to the line, the rest into the resistors. (F6)

@@ -1,123 +1,15 @@
 #include "ltd_sim/scenario.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "loco_dynamics/loco_factory.hpp"
-#include "rail_core/constants.hpp"
+#include "scenario_checks.hpp"
+#include "scenario_limits.hpp"
 #include "scenario_names.hpp"
 
 namespace ltd {
 
 namespace {
-
-std::string format(double x) {
-  std::ostringstream text;
-  text.precision(4);
-  text << x;
-  return text.str();
-}
-
-rail::Nanoseconds readTime(rail::YamlReader& reader, const std::string& key, const rail::Range& range) {
-  const std::optional<rail::Nanoseconds> t = rail::wholeNanoseconds(reader.number(key, range));
-  if (t && *t > 0) return *t;
-  reader.refuse(key, "must be a whole number of nanoseconds, at least one");
-  return 1;
-}
-
-/// Reads and says whether nothing was wrong: only what is known may be compared with something else, or a fault would
-/// accuse what is sound beside it.
-template <typename Read>
-bool isSound(const rail::Problems& problems, Read read) {
-  const std::size_t before = problems.count();
-  read();
-  return problems.count() == before;
-}
-
-RunLimits readRun(rail::YamlReader reader) {
-  RunLimits run;
-  const bool places_known = isSound(reader.problems(), [&] {
-    run.start_location_m = reader.number("start_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
-    run.end_location_m = reader.number("end_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
-  });
-  run.start_speed_mps = reader.number("start_speed_kmph", rail::between(0.0, 400.0)) / rail::kKmphPerMps;
-  run.end_time = readTime(reader, "end_time_s", rail::aboveUpTo(0.0, 1e6));
-  rail::YamlReader stall = reader.map("stall");
-  run.stall_speed_mps = stall.number("speed_below_mps", rail::notNegative());
-  run.stall_time = readTime(stall, "for_s", rail::aboveUpTo(0.0, 1e5));
-  stall.finish();
-  if (reader.has("end_at_standstill_s"))
-    run.standstill_time = readTime(reader, "end_at_standstill_s", rail::aboveUpTo(0.0, 1e5));
-  if (reader.has("runaway_above_limit_kmph"))
-    run.runaway_margin_mps = reader.number("runaway_above_limit_kmph", rail::between(0.0, 400.0)) / rail::kKmphPerMps;
-  if (places_known && run.end_location_m <= run.start_location_m)
-    reader.refuse("end_location_km", "must be ahead of start_location_km");
-  reader.finish();
-  return run;
-}
-
-void readSteps(rail::YamlReader reader, Scenario& scenario) {
-  const bool known = isSound(reader.problems(), [&] {
-    scenario.macro_step = readTime(reader, "macro_step_s", rail::aboveUpTo(0.0, 1.0));
-    scenario.micro_step = readTime(reader, "micro_step_s", rail::aboveUpTo(0.0, 1.0));
-  });
-  if (known && scenario.macro_step % scenario.micro_step != 0)
-    reader.refuse("macro_step_s",
-                  "must be a whole multiple of micro_step_s = " + format(rail::toSeconds(scenario.micro_step)));
-  reader.finish();
-}
-
-LockLimits readLock(rail::YamlReader reader) {
-  LockLimits lock;
-  lock.join_deadline_s = reader.number("join_deadline_s", rail::positive());
-  lock.answer_deadline_s = reader.number("answer_deadline_s", rail::positive());
-  lock.synchronisation_tolerance_mps = reader.number("synchronisation_tolerance_mps", rail::positive());
-  reader.finish();
-  return lock;
-}
-
-/// Where places may lie, if that is known.
-struct Bounds {
-  bool known = false;
-  double from_m = 0.0, to_m = 0.0;
-};
-
-/// Places beyond the end of the run are allowed, so that a run may be shortened without touching them.
-std::vector<double> readLocations(rail::YamlReader& reader, const std::string& key, const Bounds& bounds) {
-  std::vector<double> locations_m;
-  const bool known = isSound(reader.problems(), [&] {
-    for (const double km : reader.numbers(key, rail::anyNumber()))
-      locations_m.push_back(km * rail::kMetresPerKilometre);
-  });
-  if (!known) return locations_m;
-  for (std::size_t i = 0; i < locations_m.size(); ++i) {
-    if (i > 0 && locations_m[i] <= locations_m[i - 1]) reader.refuse(key, "must rise");
-    if (bounds.known && (locations_m[i] < bounds.from_m || locations_m[i] > bounds.to_m))
-      reader.refuse(key, format(locations_m[i] / rail::kMetresPerKilometre) +
-                             " is not between run.start_location_km and the end of the track");
-  }
-  return locations_m;
-}
-
-rail::Nanoseconds readInterval(rail::YamlReader& reader, const std::string& key, rail::Nanoseconds macro_step,
-                               bool step_known) {
-  rail::Nanoseconds interval = 0;
-  const bool known =
-      isSound(reader.problems(), [&] { interval = readTime(reader, key, rail::positive()); }) && step_known;
-  if (known && interval % macro_step != 0) reader.refuse(key, "must be a whole multiple of steps.macro_step_s");
-  return interval;
-}
-
-OutputOptions readOutput(rail::YamlReader reader, const Bounds& bounds, rail::Nanoseconds macro_step, bool step_known) {
-  OutputOptions output;
-  output.report_locations_m = readLocations(reader, "report_locations_km", bounds);
-  output.section_boundaries_m = readLocations(reader, "section_boundaries_km", bounds);
-  output.timeseries_interval = readInterval(reader, "timeseries_interval_s", macro_step, step_known);
-  output.telemetry_interval = readInterval(reader, "telemetry_interval_s", macro_step, step_known);
-  output.record_exchange = reader.boolean("record_exchange");
-  reader.finish();
-  return output;
-}
 
 Driver readDriver(rail::YamlReader reader, const TrainModel& train, rail::Nanoseconds macro_step,
                   const rail::Track& track, const AirBrake& air_brake, bool sand) {
@@ -168,58 +60,6 @@ std::vector<loco::RailConditions::Section> readContactOptions(rail::YamlReader& 
     return {};
   }
   return loco::readModelOptions(root, step_known ? scenario.micro_step : 0).rail.sections;
-}
-
-void checkRailSections(rail::YamlReader& root, const std::vector<loco::RailConditions::Section>& sections,
-                       const rail::Track& track) {
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    rail::YamlReader section = root.maps("rail_sections")[i];
-    const std::string rule = "is beyond the track, " + format(track.start_m() / rail::kMetresPerKilometre) + " to " +
-                             format(track.end_m() / rail::kMetresPerKilometre) + " km";
-    if (sections[i].from_m < track.start_m()) section.refuse("from_km", rule);
-    if (sections[i].to_m > track.end_m()) section.refuse("to_km", rule);
-  }
-}
-
-/// The train must stand on the track at the start, and the end must be on it.
-void checkPlaces(rail::YamlReader& root, const Scenario& scenario) {
-  if (scenario.train.locomotives.empty()) return;
-  double front_m = scenario.run.start_location_m, rear_m = scenario.run.start_location_m;
-  const std::size_t lead = scenario.train.locomotives.front().vehicle;
-  for (std::size_t i = 0; i < lead; ++i) front_m += scenario.train.coupler_distance_m[i];
-  for (std::size_t i = lead; i < scenario.train.coupler_distance_m.size(); ++i)
-    rear_m -= scenario.train.coupler_distance_m[i];
-  rail::YamlReader run = root.map("run");
-  const std::string track = " (track " + format(scenario.track.start_m() / rail::kMetresPerKilometre) + " to " +
-                            format(scenario.track.end_m() / rail::kMetresPerKilometre) + " km)";
-  if (rear_m < scenario.track.start_m() || front_m > scenario.track.end_m())
-    run.refuse("start_location_km", "the train would stand from " + format(rear_m / rail::kMetresPerKilometre) +
-                                        " to " + format(front_m / rail::kMetresPerKilometre) + " km, beyond the track" +
-                                        track);
-  const double ahead_m = front_m - scenario.run.start_location_m;  // of vehicles before the leading locomotive
-  if (scenario.run.end_location_m + ahead_m > scenario.track.end_m())
-    run.refuse("end_location_km", "the head of the train would be beyond the track" + track);
-}
-
-/// The couplers' friction and stiffness bound the macro step; see computeStepBound.
-void checkStep(rail::YamlReader& root, const Scenario& scenario) {
-  if (scenario.train.locomotives.empty()) return;
-  const double force_N = computeDesignCouplerForce(scenario.train);
-  const StepBound bound = computeStepBound(scenario.train, force_N);
-  if (rail::toSeconds(scenario.macro_step) < bound.largest_step_s) return;
-  const rail::Vehicle& vehicle = scenario.train.vehicles[bound.vehicle];
-  root.map("steps").refuse("macro_step_s",
-                           "must be below " + format(bound.largest_step_s) + " for this train: vehicle " +
-                               std::to_string(bound.vehicle + 1) + " (" + vehicle.name + ", " +
-                               format(vehicle.mass_kg / rail::kKilogramsPerTonne) + " t) with a coupler force of " +
-                               format(force_N / 1e6) + " MN, the sum of the locomotives' largest tractions");
-}
-
-/// What each locomotive's own model refuses: the micro step above all, which its stiffest motion bounds.
-void checkLocomotives(const Scenario& scenario, rail::Problems& problems) {
-  std::string last_key;
-  for (const LocoUnit& unit : scenario.train.locomotives)
-    if (unit.key != last_key) loco::makeLocomotive(scenario.document, last_key = unit.key, problems);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ SectionWriter::SectionWriter(const Scenario& scenario, const std::string& path)
       gross_mass_t_(scenario.train.grossMass_t()) {}
 
 /// Cumulative sums over the train: kStages, fuel [J], litres.
-std::vector<double> SectionWriter::stagesOf(const TrainState& state) const {
+std::vector<double> SectionWriter::stagesOf(const TrainSnapshot& state) const {
   const rail::EnergyAccount& a = state.account;
   double storage_J = 0.0, line_J = 0.0, resistors_J = 0.0, fuel_J = 0.0, litres = 0.0;
   for (std::size_t i = 0; i < state.supply.size(); ++i) {
@@ -46,8 +46,8 @@ std::vector<double> SectionWriter::stagesOf(const TrainState& state) const {
           storage_J,       line_J,         resistors_J,  fuel_J,          litres};
 }
 
-SectionWriter::Mark SectionWriter::markAt(double location_m, double w, const TrainState& before,
-                                          const TrainState& after) const {
+SectionWriter::Mark SectionWriter::markAt(double location_m, double w, const TrainSnapshot& before,
+                                          const TrainSnapshot& after) const {
   const auto between = [w](double a, double b) { return a + w * (b - a); };
   const double H = rail::toSeconds(scenario_.macro_step);
   Mark mark{location_m, between(static_cast<double>(before.step), static_cast<double>(after.step)) * H,

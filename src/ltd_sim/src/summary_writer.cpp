@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ltd_sim/supply_figures.hpp"
 #include "rail_core/constants.hpp"
 
 namespace ltd {
@@ -47,7 +48,7 @@ void SummaryWriter::noteStepUse(const TrainForces& forces) {
   }
 }
 
-void SummaryWriter::reportLocos(double location_m, double w, const TrainState& before, const TrainState& after) {
+void SummaryWriter::reportLocos(double location_m, double w, const TrainSnapshot& before, const TrainSnapshot& after) {
   const auto between = [w](double a, double b) { return a + w * (b - a); };
   const double H = rail::toSeconds(scenario_.macro_step);
   const double time_s = between(static_cast<double>(before.step), static_cast<double>(after.step)) * H;
@@ -75,23 +76,11 @@ void SummaryWriter::reportLocos(double location_m, double w, const TrainState& b
 void SummaryWriter::reportSupply(const PowerSupply& supply, const PowerSupply::State& b, const PowerSupply::State& a,
                                  double w, const RowOf& row) {
   const auto between = [w](double before, double after) { return before + w * (after - before); };
-  if (supply.hasEngine()) {
-    row("energy_fuel", "J", between(b.fuel_J, a.fuel_J));
-    row("fuel", "l", between(supply.computeLitres(b), supply.computeLitres(a)));
+  for (const SupplyFigure& figure : kSupplyFigures) {
+    if (!(supply.*figure.concerns)()) continue;
+    row((std::string("energy_") + figure.name).c_str(), "J", between(b.*figure.energy_J, a.*figure.energy_J));
   }
-  if (supply.hasLine()) {
-    row("energy_line_drawn", "J", between(b.line_drawn_J, a.line_drawn_J));
-    row("energy_line_returned", "J", between(b.line_returned_J, a.line_returned_J));
-  }
-  if (supply.hasStorage()) {
-    row("energy_storage_in", "J", between(b.storage_in_J, a.storage_in_J));
-    row("energy_storage_out", "J", between(b.storage_out_J, a.storage_out_J));
-    row("energy_stored", "J", between(b.stored_J, a.stored_J));
-  }
-  row("energy_auxiliaries", "J", between(b.auxiliaries_J, a.auxiliaries_J));
-  row("energy_to_resistors", "J", between(b.to_resistors_J, a.to_resistors_J));
-  row("energy_unserved", "J", between(b.unserved_J, a.unserved_J));
-  row("energy_overload", "J", between(b.overload_J, a.overload_J));
+  if (supply.hasEngine()) row("fuel", "l", between(supply.computeLitres(b), supply.computeLitres(a)));
   row("energy_supply_residual", "J", between(b.residual(), a.residual()));
 }
 

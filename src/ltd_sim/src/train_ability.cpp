@@ -18,7 +18,7 @@ AirBrake::State fullService(const AirBrake& air_brake) {
   DriverCommand command;
   command.pipe_pressure_Pa = air_brake.fullServicePressure();
   AirBrake::State state = air_brake.initialState();
-  for (int i = 0; i < 1200; ++i) air_brake.step(command, i * kStep, kStep, state);
+  for (int i = 0; i < 1200; ++i) air_brake.step(command, kStep, state);
   return state;
 }
 

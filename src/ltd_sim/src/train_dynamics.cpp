@@ -3,10 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ltd_sim/resistance.hpp"
 
 namespace ltd {
+
+namespace {
+
+/// Of the couplers on a vehicle, + forward.
+double frontForce(const TrainForces& forces, std::size_t vehicle) {
+  return vehicle > 0 ? forces.coupler[vehicle - 1].force_N : 0.0;
+}
+double rearForce(const TrainForces& forces, std::size_t vehicle) {
+  return vehicle < forces.coupler.size() ? -forces.coupler[vehicle].force_N : 0.0;
+}
+
+}  // namespace
 
 TrainDynamics::TrainDynamics(const TrainModel& train, const rail::Track& track, const Driver& driver,
                              const AirBrake& air_brake, rail::Nanoseconds step)
@@ -16,10 +29,11 @@ TrainDynamics::TrainDynamics(const TrainModel& train, const rail::Track& track, 
       air_brake_(air_brake),
       step_ns_(step),
       H_(rail::toSeconds(step)),
+      booking_(train, track, step),
       track_hint_(train.vehicles.size(), 0),
       is_locomotive_(train.vehicles.size(), false),
       traction_(train.vehicles.size(), 0.0),
-      v_old_(train.vehicles.size(), 0.0) {
+      v_next_(train.vehicles.size(), 0.0) {
   for (const LocoUnit& unit : train.locomotives) is_locomotive_[unit.vehicle] = true;
 }
 
@@ -59,7 +73,8 @@ void TrainDynamics::computeCouplerForces(const TrainState& state, TrainForces& f
   forces.coupler.resize(train_.coupler_type.size());
   for (std::size_t i = 0; i < forces.coupler.size(); ++i) {
     const Coupler& coupler = train_.coupler_types[train_.coupler_type[i]];
-    forces.coupler[i] = coupler.computeForce(couplerElongation(i, state), state.v_mps[i] - state.v_mps[i + 1]);
+    forces.coupler[i] =
+        coupler.computeForce(train_.couplerElongation(i, state.s_m), state.v_mps[i] - state.v_mps[i + 1]);
   }
 }
 
@@ -93,14 +108,27 @@ void TrainDynamics::decide(TrainState& state, TrainForces& forces) const {
     const double v = state.v_mps[unit.vehicle];
     forces.notch[i] = command.emergency ? 0 : command.notch;
     forces.brake_notch[i] = command.brake_notch;
-    const double available_W = train_.supplies[unit.type].availableRimPower(state.supply[i], H_);
     double target_N = traction.computeForce(forces.notch[i], v);
-    if (target_N * std::max(v, 0.0) > available_W) target_N = available_W / v;
-    if (available_W <= 0.0) target_N = 0.0;
     if (forces.brake_notch[i] > 0) target_N = -train_.dynamic_brakes[unit.type].computeForce(forces.brake_notch[i], v);
-    forces.reference_N[i] = respond(unit, state.reference_N[i], target_N);
+    const double available_W = train_.supplies[unit.type].availableRimPower(state.supply[i], H_);
+    forces.reference_N[i] = std::min(respond(unit, state.reference_N[i], target_N),
+                                     computeServedForce(unit.vehicle, available_W, state, forces));
     forces.rim_power_limit_W[i] = std::min(traction.computeRimPowerLimit(forces.notch[i]), available_W);
   }
+}
+
+/// The largest force of a locomotive that a power serves over the coming step, by which its speed changes:     (F16)
+///   F (v + H/2 (F + O)/m) = P,   O: all that acts on it but traction and its own shoes, which only make it slower
+/// 0 of no power, also for a locomotive that rolls back. Power electronics obey at once, so (T4) does not hold it up.
+double TrainDynamics::computeServedForce(std::size_t vehicle, double power_W, const TrainState& state,
+                                         const TrainForces& forces) const {
+  if (power_W <= 0.0) return 0.0;
+  if (std::isinf(power_W)) return power_W;
+  const double others_N = frontForce(forces, vehicle) + rearForce(forces, vehicle) + forces.propulsion_N[vehicle] +
+                          forces.curving_N[vehicle] + forces.grade_N[vehicle];
+  const double k = 0.5 * H_ / train_.inertial_mass_kg[vehicle];
+  const double v_without = state.v_mps[vehicle] + k * others_N;
+  return 2.0 * power_W / (v_without + std::sqrt(v_without * v_without + 4.0 * k * power_W));
 }
 
 /// Motor response (T4) over both signs: from traction to braking, or back, through 0.
@@ -123,8 +151,8 @@ void TrainDynamics::computeTrackForces(const TrainState& state, TrainForces& for
   for (std::size_t i = 0; i < n; ++i) {
     const rail::Vehicle& vehicle = train_.vehicles[i];
     const rail::TrackPoint here = track_.at(state.s_m[i], track_hint_[i]);
-    const double F_c1 = i > 0 ? forces.coupler[i - 1].force_N : 0.0;
-    const double F_c2 = i + 1 < n ? -forces.coupler[i].force_N : 0.0;
+    const double F_c1 = frontForce(forces, i);
+    const double F_c2 = rearForce(forces, i);
     const double F_G = computeGradeForce(vehicle, here.grade);
     const double R_pr = computePropulsionResistance(vehicle, state.v_mps[i]);
     const double R_cr = computeCurvingResistance(vehicle, here.curvature_1pm);
@@ -166,8 +194,8 @@ void TrainDynamics::fillLocoForce(std::size_t i, const TrainState& state, const 
   out.shoe_force_N = forces.shoe_N[vehicle];
   out.sanding = driver_.lead(state.driver).sanding;
   out.rim_power_limit_W = forces.rim_power_limit_W[i];
-  out.coupler_front_N = vehicle > 0 ? forces.coupler[vehicle - 1].force_N : 0.0;
-  out.coupler_rear_N = vehicle + 1 < train_.vehicles.size() ? -forces.coupler[vehicle].force_N : 0.0;
+  out.coupler_front_N = frontForce(forces, vehicle);
+  out.coupler_rear_N = rearForce(forces, vehicle);
   out.propulsion_resistance_N = forces.propulsion_N[vehicle];
   out.curving_resistance_N = forces.curving_N[vehicle];
   out.grade_N = forces.grade_N[vehicle];
@@ -175,101 +203,40 @@ void TrainDynamics::fillLocoForce(std::size_t i, const TrainState& state, const 
   out.location_m = state.s_m[vehicle];
 }
 
-std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
-                                const std::vector<const loco::LocoTraction*>& answers) {
-  const std::size_t n = train_.vehicles.size();
+std::string TrainDynamics::computeSpeeds(const TrainState& state, const TrainForces& forces,
+                                         const std::vector<const loco::LocoTraction*>& answers) {
+  for (std::size_t j = 0; j < answers.size(); ++j) traction_[train_.locomotives[j].vehicle] = answers[j]->traction_N;
+  for (std::size_t i = 0; i < v_next_.size(); ++i) {
+    const double F_c1 = frontForce(forces, i);
+    const double F_c2 = rearForce(forces, i);
+    const double F = F_c1 + F_c2 + traction_[i] + forces.air_brake_N[i] + forces.propulsion_N[i] + forces.curving_N[i] +
+                     forces.grade_N[i];                                 // Eq. (1)
+    v_next_[i] = state.v_mps[i] + H_ * F / train_.inertial_mass_kg[i];  // (T5)
+    if (!std::isfinite(v_next_[i])) return "vehicle " + std::to_string(i + 1) + ": its speed is not a number";
+  }
+  return {};
+}
+
+void TrainDynamics::advance(TrainState& state, const TrainForces& forces,
+                            const std::vector<const loco::LocoTraction*>& answers) {
   for (std::size_t j = 0; j < answers.size(); ++j) {
-    traction_[train_.locomotives[j].vehicle] = answers[j]->traction_N;
     state.traction_N[j] = answers[j]->traction_N;
     state.reference_N[j] = forces.reference_N[j];
     state.loco_state[j] = answers[j]->state;
   }
-  v_old_ = state.v_mps;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double F_c1 = i > 0 ? forces.coupler[i - 1].force_N : 0.0;
-    const double F_c2 = i + 1 < n ? -forces.coupler[i].force_N : 0.0;
-    const double F = F_c1 + F_c2 + traction_[i] + forces.air_brake_N[i] + forces.propulsion_N[i] + forces.curving_N[i] +
-                     forces.grade_N[i];                                // Eq. (1)
-    state.v_mps[i] = v_old_[i] + H_ * F / train_.inertial_mass_kg[i];  // (T5)
-    state.s_m[i] += H_ * state.v_mps[i];
-    bookVehicle(i, v_old_[i], state.v_mps[i], forces, state.account);
-    if (!std::isfinite(state.v_mps[i])) return "vehicle " + std::to_string(i + 1) + ": its speed is not a number";
-  }
-  bookCouplers(state, forces, state.account);
-  for (std::size_t j = 0; j < answers.size(); ++j) bookLoco(j, *answers[j], forces, state);
-  const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
-  if (air_brake_.present()) air_brake_.step(driver_.lead(state.driver), t, step_ns_, state.air);
+  std::swap(state.v_mps, v_next_);
+  const std::vector<double>& v_old = v_next_;
+  for (std::size_t i = 0; i < v_old.size(); ++i) state.s_m[i] += H_ * state.v_mps[i];  // (T5)
+  booking_.bookStep(v_old, forces, answers, state);
+  if (air_brake_.present()) air_brake_.step(driver_.lead(state.driver), step_ns_, state.air);
   ++state.step;
-  return {};
 }
 
-void TrainDynamics::bookLoco(std::size_t j, const loco::LocoTraction& answer, const TrainForces& forces,
-                             TrainState& state) const {
-  const LocoUnit& unit = train_.locomotives[j];
-  const double S = H_ * 0.5 * (v_old_[unit.vehicle] + state.v_mps[unit.vehicle]);
-  const double work_rail = answer.traction_N * S;  // Eq. (4)
-  LocoEnergy& energy = state.loco_energy[j];
-  const bool brakes = forces.reference_N[j] < 0.0 || forces.shoe_N[unit.vehicle] > 0.0;
-  if (brakes && work_rail < 0.0) {
-    energy.brake_rail -= work_rail;
-    state.account.brake_rail -= work_rail;
-  } else {
-    energy.rail += work_rail;
-    state.account.traction_rail += work_rail;
-  }
-  if (answer.work_rim_J < 0.0 && forces.reference_N[j] <= 0.0) {
-    energy.recovered_rim -= answer.work_rim_J;
-    state.account.recovered_rim -= answer.work_rim_J;
-  } else {
-    energy.rim += answer.work_rim_J;
-    state.account.traction_rim += answer.work_rim_J;
-  }
-  energy.slip += answer.work_slip_J;
-  energy.shoes += answer.work_shoes_J;
-  state.account.slip_loss += answer.work_slip_J;
-  state.account.shoes += answer.work_shoes_J;
-  train_.supplies[unit.type].step(answer.work_rim_J, H_, state.supply[j]);
-  if (state.supply[j].empty && state.store_empty_at[j] < 0)
-    state.store_empty_at[j] = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
-}
-
-void TrainDynamics::bookVehicle(std::size_t i, double v_old, double v_new, const TrainForces& forces,
-                                rail::EnergyAccount& account) const {
-  const double S = H_ * 0.5 * (v_old + v_new);  // work of a force: with the mean speed                            (T7)
-  account.propulsion_resistance -= forces.propulsion_N[i] * S;
-  account.curving_resistance -= forces.curving_N[i] * S;
-  account.air_brake -= forces.air_brake_N[i] * S;
-  account.grade -= forces.grade_N[i] * S;
-}
-
-void TrainDynamics::bookCouplers(const TrainState& state, const TrainForces& forces,
-                                 rail::EnergyAccount& account) const {
-  for (std::size_t i = 0; i < forces.coupler.size(); ++i) {
-    const double elongation_speed = 0.5 * (v_old_[i] - v_old_[i + 1] + state.v_mps[i] - state.v_mps[i + 1]);
-    account.coupler_loss += (forces.coupler[i].force_N - forces.coupler[i].mean_N) * elongation_speed * H_;
-  }
-}
-
-void TrainDynamics::updateStoredEnergies(TrainState& state) {
-  double kinetic = 0.0, potential = 0.0, stored = 0.0;
-  for (std::size_t i = 0; i < train_.vehicles.size(); ++i) {
-    const double v = state.v_mps[i];
-    kinetic += 0.5 * train_.inertial_mass_kg[i] * v * v;
-    const double height_m = track_.at(state.s_m[i] - 0.5 * H_ * v, track_hint_[i]).height_m;  // (T9)
-    potential -= computeGradeForce(train_.vehicles[i], 1.0) * height_m;
-  }
-  for (std::size_t i = 0; i < train_.coupler_type.size(); ++i) {
-    const double elongation_m = couplerElongation(i, state) - 0.5 * H_ * (state.v_mps[i] - state.v_mps[i + 1]);  // (T9)
-    stored += train_.coupler_types[train_.coupler_type[i]].computeStoredEnergy(elongation_m);
-  }
-  state.account.kinetic = kinetic;
-  state.account.potential = potential;
-  state.account.coupler_stored = stored;
-  if (state.step == 0) {
-    state.account.kinetic_start = kinetic;
-    state.account.potential_start = potential;
-    state.account.coupler_stored_start = stored;
-  }
+std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
+                                const std::vector<const loco::LocoTraction*>& answers) {
+  std::string fault = computeSpeeds(state, forces, answers);
+  if (fault.empty()) advance(state, forces, answers);
+  return fault;
 }
 
 int TrainDynamics::vehicleOffTrack(const TrainState& state) const {

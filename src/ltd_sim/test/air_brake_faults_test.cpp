@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "brake_fixtures.hpp"
 
 namespace {
@@ -103,20 +101,6 @@ TEST(AirBrakeFaultsTest, ATrainWithoutShoesIsRefused) {
   ltd::TrainModel train = fixtures::brakedTrain();
   train.brakes.clear();
   EXPECT_TRUE(anyHas(faults(BrakeText().text(), train), {"no vehicle of the train has a brake"}));
-}
-
-TEST(AirBrakeFaultsTest, CommandsOutsideTheirRangesAreNamed) {
-  const fixtures::BrakeRig rig;
-  EXPECT_EQ(rig.brake.refuse(fixtures::pipeAt(3.5)), "");
-  EXPECT_EQ(rig.brake.refuse(fixtures::pipeAt(0.0)), "");
-  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(fixtures::pipeAt(5.1)), "pipe pressure 510000"));
-  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(fixtures::pipeAt(-0.1)), "pipe pressure"));
-  ltd::DriverCommand command;
-  command.pipe_pressure_Pa = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(command), "pipe pressure"));
-  command = ltd::DriverCommand();
-  command.independent_brake = 1.1;
-  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(command), "independent brake 1.1"));
 }
 
 std::vector<std::string> shoeFaults(const std::string& text) {

@@ -75,7 +75,7 @@ class BrakeRig {
       : train(train_model), brake(makeAirBrake(text, train)), state(brake.initialState()) {}
 
   void step(const ltd::DriverCommand& command, rail::Nanoseconds H = kBrakeStep) {
-    brake.step(command, t, H, state);
+    brake.step(command, H, state);
     t += H;
   }
   void run(const ltd::DriverCommand& command, double seconds, rail::Nanoseconds H = kBrakeStep) {

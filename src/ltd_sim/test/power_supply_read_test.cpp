@@ -113,7 +113,7 @@ PowerSupply readConfig(const std::string& name, double full_rim_power_W) {
 TEST(PowerSupplyReadTest, TheDieselOfTheConfigServesThePapersTractionWith7PercentOfSlip) {
   const PowerSupply supply = readConfig("diesel_electric.yaml", 1.07 * 4.10e6);
   PowerSupply::State s = supply.initialState();
-  supply.step(4.10e6 * 3600.0, 3600.0, s);
+  supply.step(ltd::RimWork(4.10e6 * 3600.0), 3600.0, s);
   const double shaft_W = (4.10e6 / 0.989 + 13e3 + 1.1e-3 * 4.10e6) / 0.980;  // 4.2481 MW, share 0.9235
   EXPECT_NEAR(s.generator_loss_J / 3600.0, 0.02 * shaft_W, 1e-6 * shaft_W);
   const double efficiency = 0.425 + (shaft_W / 4.6e6 - 0.849) / (1.0 - 0.849) * (0.418 - 0.425);
@@ -127,6 +127,17 @@ TEST(PowerSupplyReadTest, TheHybridAndTheBatteryOfTheConfigBoundTheRimPower) {
   const PowerSupply battery = readConfig("battery.yaml", 4.10e6);
   EXPECT_GT(hybrid.availableRimPower(hybrid.initialState(), 0.002), 1.07 * 4.10e6);
   EXPECT_NEAR(battery.availableRimPower(battery.initialState(), 0.002), 3.235e6, 1e3);
+}
+
+TEST(PowerSupplyReadTest, TheLineOfTheConfigPaysItsLossBothWaysAndTakesBack) {
+  const PowerSupply line = readConfig("overhead_line.yaml", 1e9);  // bounds nothing
+  PowerSupply::State pulled = line.initialState(), braked = line.initialState();
+  line.step(ltd::RimWork(4.10e6 * 3600.0), 3600.0, pulled);
+  EXPECT_NEAR(pulled.line_drawn_J / 3.6e6, (4100.0 / 0.989 + 13.0 + 1.1e-3 * 4100.0) / 0.92, 1e-9 * 4e3);  // 4525 kWh
+  line.step(ltd::RimWork(-3.69e6 * 3600.0), 3600.0, braked);
+  EXPECT_NEAR(braked.line_returned_J / 3.6e6, (3690.0 * 0.989 - 13.0 - 1.1e-3 * 3690.0) * 0.92,
+              1e-9 * 4e3);  // 3342 kWh
+  EXPECT_EQ(braked.to_resistors_J, 0.0);
 }
 
 }  // namespace

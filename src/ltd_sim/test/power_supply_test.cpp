@@ -16,6 +16,7 @@ using fixtures::lineText;
 using fixtures::storageText;
 using fixtures::supplyHead;
 using ltd::PowerSupply;
+using ltd::RimWork;
 using State = ltd::PowerSupply::State;
 
 constexpr double kStep = 2.0;   // s
@@ -33,16 +34,17 @@ std::vector<PowerSupply> allKinds() { return {diesel(), hybrid(), battery(), lin
 /// One step of 2 s from the initial state.
 State after(const PowerSupply& supply, double rim_work_J) {
   State state = supply.initialState();
-  supply.step(rim_work_J, kStep, state);
+  supply.step(RimWork(rim_work_J), kStep, state);
   EXPECT_NEAR(state.residual(), 0.0, kTiny);
   return state;
 }
 
 std::vector<double> energiesOf(const State& s) {
-  return {s.stored_J,      s.stored_start_J,  s.motored_rim_J,    s.recovered_rim_J, s.drivetrain_loss_J,
-          s.auxiliaries_J, s.generator_J,     s.generator_loss_J, s.engine_loss_J,   s.fuel_J,
-          s.idle_fuel_J,   s.overload_J,      s.storage_in_J,     s.storage_out_J,   s.storage_loss_J,
-          s.line_drawn_J,  s.line_returned_J, s.line_loss_J,      s.to_resistors_J,  s.unserved_J};
+  return {s.stored_J,         s.stored_start_J,     s.motored_rim_J,   s.recovered_rim_J,  s.motored_loss_J,
+          s.recovered_loss_J, s.auxiliaries_J,      s.generator_J,     s.generator_loss_J, s.engine_loss_J,
+          s.fuel_J,           s.idle_fuel_J,        s.overload_J,      s.storage_in_J,     s.storage_out_J,
+          s.storage_loss_J,   s.line_drawn_J,       s.line_returned_J, s.line_loss_J,      s.to_resistors_J,
+          s.unserved_J,       s.auxiliaries_unfed_J};
 }
 
 TEST(PowerSupplyTest, NoSupplyBooksNothingAndLimitsNothing) {
@@ -58,7 +60,8 @@ TEST(PowerSupplyTest, MotoringBooksEachStageFromTheRimToTheFuel) {
   const State s = after(diesel(), 4e5);
   EXPECT_EQ(s.motored_rim_J, 4e5);
   EXPECT_EQ(s.recovered_rim_J, 0.0);
-  EXPECT_NEAR(s.drivetrain_loss_J, 1e5, kTiny);   // 4e5/0.8 - 4e5
+  EXPECT_EQ(s.recovered_loss_J, 0.0);
+  EXPECT_NEAR(s.motored_loss_J, 1e5, kTiny);      // 4e5/0.8 - 4e5
   EXPECT_NEAR(s.auxiliaries_J, 6e4, kTiny);       // 1e4 W 2 s + 0.1 4e5
   EXPECT_NEAR(s.generator_J, 5.6e5, kTiny);       // 5e5 + 6e4
   EXPECT_NEAR(s.generator_loss_J, 2.4e5, kTiny);  // 5.6e5/0.7 = 8e5 at the shaft, 0.4 MW
@@ -74,7 +77,8 @@ TEST(PowerSupplyTest, BrakingFeedsTheAuxiliariesAndHeatsTheResistorsWhileTheEngi
   const State s = after(diesel(), -4e5);
   EXPECT_EQ(s.motored_rim_J, 0.0);
   EXPECT_EQ(s.recovered_rim_J, 4e5);
-  EXPECT_NEAR(s.drivetrain_loss_J, 8e4, kTiny);  // 4e5 - 4e5 0.8
+  EXPECT_EQ(s.motored_loss_J, 0.0);
+  EXPECT_NEAR(s.recovered_loss_J, 8e4, kTiny);  // 4e5 - 4e5 0.8
   EXPECT_NEAR(s.auxiliaries_J, 6e4, kTiny);
   EXPECT_NEAR(s.to_resistors_J, 2.6e5, kTiny);  // 3.2e5 - 6e4
   EXPECT_EQ(s.generator_J, 0.0);
@@ -95,7 +99,7 @@ TEST(PowerSupplyTest, AnHourOfIdlingBurnsTheIdlePowerTimesAnHour) {
   const std::string text = changed(changed(supplyHead("diesel"), "1.0e4", "0") + engineText(), "1.0e4", "19.7e3");
   const PowerSupply supply = readSupply(changed(text, "36.0e6", "35.8e6"));
   State s = supply.initialState();
-  for (int k = 0; k < 3600; ++k) supply.step(0.0, 1.0, s);
+  for (int k = 0; k < 3600; ++k) supply.step(RimWork(0.0), 1.0, s);
   EXPECT_NEAR(s.fuel_J, 19.7 * 3.6e6, 1e-6);
   EXPECT_EQ(s.idle_fuel_J, s.fuel_J);
   EXPECT_NEAR(supply.computeLitres(s), 1.98101, 1e-5);
@@ -141,11 +145,12 @@ TEST(PowerSupplyTest, ARoundTripThroughTheStorageLosesWhatItsFourEfficienciesSay
   const std::string head = changed(changed(supplyHead("storage"), "1.0e4", "0"), "0.1", "0");
   const PowerSupply supply = readSupply(head + storageText());
   State s = supply.initialState();
-  supply.step(-1e5, kStep, s);
-  supply.step(1e5 * 0.8 * 0.9 * 0.95 * 0.8, kStep, s);
+  supply.step(RimWork(-1e5), kStep, s);
+  supply.step(RimWork(1e5 * 0.8 * 0.9 * 0.95 * 0.8), kStep, s);
   EXPECT_NEAR(s.stored_J, s.stored_start_J, kTiny);
   EXPECT_NEAR(s.storage_loss_J, 8e4 * (1.0 - 0.9 * 0.95), kTiny);
-  EXPECT_NEAR(s.drivetrain_loss_J, 2e4 + 6.84e4 * 0.2, kTiny);
+  EXPECT_NEAR(s.recovered_loss_J, 2e4, kTiny);
+  EXPECT_NEAR(s.motored_loss_J, 6.84e4 * 0.2, kTiny);
   EXPECT_NEAR(s.residual(), 0.0, kTiny);
   EXPECT_EQ(s.unserved_J, 0.0);
 }
@@ -154,7 +159,7 @@ TEST(PowerSupplyTest, AFullStorageSendsEverythingToTheResistors) {
   const PowerSupply supply = battery();
   State s = supply.initialState();
   s.stored_J = s.stored_start_J = 9e6;
-  supply.step(-4e5, kStep, s);
+  supply.step(RimWork(-4e5), kStep, s);
   EXPECT_EQ(s.storage_in_J, 0.0);
   EXPECT_NEAR(s.to_resistors_J, 2.6e5, kTiny);
   EXPECT_NEAR(s.residual(), 0.0, kTiny);
@@ -164,19 +169,36 @@ TEST(PowerSupplyTest, AnEmptyStorageServesNothingAndSaysSo) {
   const PowerSupply supply = battery();
   State s = supply.initialState();
   s.stored_J = s.stored_start_J = 1e6;
-  supply.step(4e5, kStep, s);
+  supply.step(RimWork(4e5), kStep, s);
   EXPECT_TRUE(s.empty);
-  EXPECT_NEAR(s.unserved_J, 5.6e5, kTiny);
+  EXPECT_NEAR(s.unserved_J, 5e5, kTiny);           // 4e5/0.8: the wheels did turn
+  EXPECT_NEAR(s.auxiliaries_unfed_J, 6e4, kTiny);  // 2e4 + 0.1 4e5
+  EXPECT_EQ(s.auxiliaries_J, 0.0);
   EXPECT_NEAR(s.residual(), 0.0, kTiny);
-  supply.step(-4e5, kStep, s);  // braking fills it
+  supply.step(RimWork(-4e5), kStep, s);  // braking fills it
   EXPECT_FALSE(s.empty);
   EXPECT_GT(s.stored_J, 1e6);
 }
 
-TEST(PowerSupplyTest, BeyondTheStoragesPowerTheRestIsUnservedButItIsNotEmpty) {
-  const State s = after(battery(), 1e6);
-  EXPECT_NEAR(s.unserved_J, 3.7e5, kTiny);
+TEST(PowerSupplyTest, BeyondTheStoragesPowerTheAuxiliariesStarveThenTheRestIsUnservedButItIsNotEmpty) {
+  const State s = after(battery(), 1e6);  // asked 1.25e6 + 2e4 + 1e5, given 1e6
+  EXPECT_NEAR(s.auxiliaries_unfed_J, 1.2e5, kTiny);
+  EXPECT_NEAR(s.unserved_J, 2.5e5, kTiny);
   EXPECT_FALSE(s.empty);
+  const State little = after(battery(), 7.5e5);  // asked 9.375e5 + 2e4 + 7.5e4
+  EXPECT_NEAR(little.auxiliaries_J, 1e6 - 9.375e5, kTiny);
+  EXPECT_NEAR(little.auxiliaries_unfed_J, 3.25e4, kTiny);
+  EXPECT_EQ(little.unserved_J, 0.0);
+}
+
+TEST(PowerSupplyTest, AStorageThatServesJustItsLastIsEmptyThoughNobodyAsksForMore) {
+  const std::string head = changed(changed(supplyHead("storage"), "1.0e4", "0"), "0.1", "0");
+  const PowerSupply supply = readSupply(head + storageText());
+  State s = supply.initialState();
+  s.stored_J = s.stored_start_J = 1.3e6;
+  supply.step(RimWork(supply.availableRimPower(s, kStep) * kStep), kStep, s);
+  EXPECT_TRUE(s.empty);
+  EXPECT_EQ(s.unserved_J, 0.0);
 }
 
 TEST(PowerSupplyTest, ALinePaysItsLossBothWaysAndTakesBackOnlyIfItRegenerates) {
@@ -199,7 +221,7 @@ TEST(PowerSupplyTest, AStoragesPowerAndChargeBoundTheRimPower) {
   s.stored_J = s.stored_start_J = 1.2e6;                                       // 0.19 MJ at the link, 95 kW for 2 s
   const double available_W = supply.availableRimPower(s, kStep);
   EXPECT_NEAR(available_W, (9.5e4 - 1e4) / 1.35, kTiny);
-  supply.step(available_W * kStep, kStep, s);
+  supply.step(RimWork(available_W * kStep), kStep, s);
   EXPECT_NEAR(s.unserved_J, 0.0, kTiny);
   EXPECT_NEAR(s.stored_J, 1e6, kTiny);
   EXPECT_EQ(supply.availableRimPower(s, kStep), 0.0);  // not below, though the auxiliaries starve
@@ -220,7 +242,7 @@ TEST(PowerSupplyTest, EveryKindClosesItsBalanceOverALongRunAndEveryEnergyOnlyGro
     State s = supply.initialState();
     for (int k = 0; k < 5000; ++k) {
       const std::vector<double> before = energiesOf(s);
-      supply.step(variedWork(k), kStep, s);
+      supply.step(RimWork(variedWork(k)), kStep, s);
       for (std::size_t i = 1; i < before.size(); ++i) ASSERT_GE(energiesOf(s)[i], before[i]) << k << " " << i;
     }
     // 5000 roundings of each of ten sums, at worst all one way
@@ -233,10 +255,10 @@ TEST(PowerSupplyTest, EveryKindClosesItsBalanceOverALongRunAndEveryEnergyOnlyGro
 TEST(PowerSupplyTest, ACopiedStateGoesOnWithTheSameBits) {
   for (const PowerSupply& supply : allKinds()) {
     State one = supply.initialState();
-    for (int k = 0; k < 500; ++k) supply.step(variedWork(k), kStep, one);
+    for (int k = 0; k < 500; ++k) supply.step(RimWork(variedWork(k)), kStep, one);
     State other = one;
-    for (int k = 500; k < 1000; ++k) supply.step(variedWork(k), kStep, one);
-    for (int k = 500; k < 1000; ++k) supply.step(variedWork(k), kStep, other);
+    for (int k = 500; k < 1000; ++k) supply.step(RimWork(variedWork(k)), kStep, one);
+    for (int k = 500; k < 1000; ++k) supply.step(RimWork(variedWork(k)), kStep, other);
     EXPECT_EQ(energiesOf(one), energiesOf(other));
     EXPECT_EQ(one.empty, other.empty);
   }

@@ -1,49 +1,14 @@
-// Every class of fault in the files of a scenario, and where the message points.
+// Faults of single keys and files of a scenario, and where the message points.
+
+#include "scenario_faults.hpp"
 
 #include <array>
 
-#include "ltd_sim/scenario.hpp"
-#include "scratch_directory.hpp"
-#include "train_fixtures.hpp"
-
 namespace {
 
+using fixtures::ScenarioFaultTest;
+
 const std::string kConfig = CONFIG_DIR;
-
-/// A copy of config/ in which a test breaks something.
-class ScenarioFaultTest : public fixtures::ScratchDirectory {
- protected:
-  ScenarioFaultTest() { std::filesystem::copy(kConfig, path("config"), std::filesystem::copy_options::recursive); }
-
-  /// What is refused, without this test's directory.
-  std::vector<std::string> faults(const std::vector<rail::Override>& overrides = {},
-                                  const std::string& file = "scenarios/paper_1d.yaml") const {
-    try {
-      ltd::Scenario::load(path("config/" + file), overrides);
-    } catch (const rail::ConfigError& error) {
-      std::vector<std::string> lines = error.lines();
-      for (std::string& line : lines) {
-        const std::size_t at = line.find(path("config/"));
-        if (at != std::string::npos) line.erase(at, path("config/").size());
-      }
-      return lines;
-    }
-    return {};
-  }
-
-  /// The one line that breaking `file` gives.
-  std::string faultOf(const std::string& file, const std::string& from, const std::string& to) const {
-    replace("config/" + file, from, to);
-    const std::vector<std::string> lines = faults();
-    EXPECT_EQ(lines.size(), 1u) << fixtures::joined(lines);
-    return lines.empty() ? "accepted" : lines.front();
-  }
-  std::string faultOf(const std::vector<rail::Override>& overrides) const {
-    const std::vector<std::string> lines = faults(overrides);
-    EXPECT_EQ(lines.size(), 1u) << fixtures::joined(lines);
-    return lines.empty() ? "accepted" : lines.front();
-  }
-};
 
 TEST_F(ScenarioFaultTest, TheCopyItselfIsSound) { EXPECT_EQ(faults(), std::vector<std::string>()); }
 
@@ -109,19 +74,6 @@ TEST_F(ScenarioFaultTest, RefusesACurveBeyondTheTrack) {
   EXPECT_TRUE(fixtures::contains(fault, "tracks/paper.yaml: curves.0")) << fault;
 }
 
-TEST_F(ScenarioFaultTest, RefusesANotchGroupThatTheDriverDoesNotKnow) {
-  replace("config/trains/paper.yaml", "notch_group: lead", "notch_group: head");
-  const auto lines = faults();
-  EXPECT_TRUE(fixtures::anyHas(lines, {"scenarios/paper_1d.yaml: driver.groups.head", "is missing"}));
-  EXPECT_TRUE(fixtures::anyHas(lines, {"scenarios/paper_1d.yaml: driver.groups.lead", "unknown key"}));
-  EXPECT_EQ(lines.size(), 2u) << fixtures::joined(lines);
-}
-
-TEST_F(ScenarioFaultTest, RefusesAMacroStepThatIsNoMultipleOfTheMicroStep) {
-  EXPECT_EQ(faultOf({{"steps.micro_step_s", "0.0015"}}),
-            "scenarios/paper_1d.yaml: steps.macro_step_s = 0.002: must be a whole multiple of micro_step_s = 0.0015");
-}
-
 TEST_F(ScenarioFaultTest, RefusesAStepThatIsNoWholeNumberOfNanoseconds) {
   const auto lines = faults({{"steps.macro_step_s", "0.00033333333333"}, {"steps.micro_step_s", "0.00033333333333"}});
   EXPECT_TRUE(fixtures::anyHas(lines, {"steps.macro_step_s", "whole number of nanoseconds"}));
@@ -134,58 +86,9 @@ TEST_F(ScenarioFaultTest, RefusesTimesThatRoundToNoNanosecondAtAll) {
     EXPECT_TRUE(fixtures::anyHas(faults({{key, "1.0e-13"}}), {key, "whole number of nanoseconds"})) << key;
 }
 
-TEST_F(ScenarioFaultTest, RefusesAStepTooLongForTheTrainAndNamesTheLargest) {
-  // 3 x 460.09 kN on the paper's coupler between wagons of 120 t: friction alone allows 3.162 ms, with stiffness 3.154.
-  const std::string fault = faultOf({{"steps.macro_step_s", "0.004"}});
-  EXPECT_TRUE(fixtures::contains(fault, "steps.macro_step_s = 0.004: must be below 0.003154 for this train")) << fault;
-  EXPECT_TRUE(fixtures::contains(fault, "vehicle 4 (wagon 120 t, 120 t) with a coupler force of 1.38 MN")) << fault;
-}
-
-TEST_F(ScenarioFaultTest, RefusesOutputIntervalsThatAreNoMultipleOfTheStep) {
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.timeseries_interval_s", "0.101"}}),
-                                 "output.timeseries_interval_s = 0.101: must be a whole multiple"));
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.telemetry_interval_s", "0.003"}}),
-                                 "output.telemetry_interval_s = 0.003: must be a whole multiple"));
-}
-
-TEST_F(ScenarioFaultTest, RefusesATrainThatWouldStandBeyondTheTracksStart) {
-  // 2 x 22 + 18.5 + 104 x 15 = 1622.5 m from the leading locomotive to the last wagon.
-  const std::vector<std::string> lines =
-      faults({{"run.start_location_km", "1.6"}, {"output.section_boundaries_km", "[3.0, 4.5]"}});
-  ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
-  EXPECT_TRUE(fixtures::contains(lines.front(), "run.start_location_km = 1.6: the train would stand from -0.0225 to"))
-      << lines.front();
-  EXPECT_EQ(faults({{"run.start_location_km", "1.63"}}), std::vector<std::string>());
-}
-
-TEST_F(ScenarioFaultTest, RefusesAnEndBeyondTheTrackOrBehindTheStart) {
-  EXPECT_TRUE(fixtures::anyHas({faultOf({{"run.end_location_km", "10.001"}})},
-                               {"run.end_location_km = 10.001: ", "beyond the track (track 0 to 10 km)"}));
-  const auto lines = faults({{"run.end_location_km", "2.9"}});
-  EXPECT_TRUE(fixtures::anyHas(lines, {"run.end_location_km = 2.9", "must be ahead of start_location_km"}));
-}
-
-TEST_F(ScenarioFaultTest, RefusesAnEndAtWhichPushedWagonsWouldHaveLeftTheTrack) {
-  replace("config/trains/paper.yaml", "groups:\n",
-          "groups:\n  - {kind: wagon, count: 2, vehicle_file: ../vehicles/wagon_120t.yaml}\n");
-  // The first wagon runs 15 + 18.5 m ahead of the leading locomotive.
-  EXPECT_EQ(faults({{"run.end_location_km", "9.966"}}), std::vector<std::string>());
-  EXPECT_TRUE(fixtures::contains(faultOf({{"run.end_location_km", "9.967"}}), "run.end_location_km = 9.967: "));
-}
-
 TEST_F(ScenarioFaultTest, RefusesANameThatNamesNoFile) {
   for (const char* name : {"a/b", ".hidden"})
     EXPECT_TRUE(fixtures::contains(faultOf({{"name", name}}), std::string("name = ") + name + ": ")) << name;
-}
-
-TEST_F(ScenarioFaultTest, RefusesReportLocationsThatFallOrLieOutsideTheRun) {
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[3.2, 3.15]"}}), "must rise"));
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[2.9, 3.15]"}}), "2.9 is not between"));
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.section_boundaries_km", "[3.0, 10.1]"}}), "10.1 is not between"));
-}
-
-TEST_F(ScenarioFaultTest, RefusesAModelThatDoesNotExist) {
-  EXPECT_TRUE(fixtures::contains(faultOf({{"locomotive_model", "4d"}}), "locomotive_model = 4d: must be one of: 1d"));
 }
 
 TEST_F(ScenarioFaultTest, RefusesAFileThatIsNotThereAndOneThatIsNoYaml) {
@@ -215,15 +118,6 @@ TEST_F(ScenarioFaultTest, TellsAllFaultsOfAllFilesAtOnce) {
   EXPECT_EQ(lines.size(), 7u) << fixtures::joined(lines);  // each once, also that of a file which two vehicles name
 }
 
-TEST_F(ScenarioFaultTest, TellsARunThatDoesNotFitItsTrackAndAStepThatIsTooLongBesideOtherFaults) {
-  const auto lines =
-      faults({{"steps.macro_step_s", "0.02"}, {"run.end_location_km", "99"}, {"driver.groups.lead.follows", "nobody"}});
-  EXPECT_EQ(lines.size(), 3u) << fixtures::joined(lines);
-  EXPECT_TRUE(fixtures::anyHas(lines, {"steps.macro_step_s = 0.02", "must be below"}));
-  EXPECT_TRUE(fixtures::anyHas(lines, {"run.end_location_km = 99"}));
-  EXPECT_TRUE(fixtures::anyHas(lines, {"driver.groups.lead.follows = nobody"}));
-}
-
 TEST_F(ScenarioFaultTest, AFaultDoesNotAccuseWhatIsSoundBesideIt) {
   // Each of these leaves a value unknown; nothing that would be compared with it may be refused.
   for (const auto& [file, from, to] : std::vector<std::array<std::string, 3>>{
@@ -241,59 +135,6 @@ TEST_F(ScenarioFaultTest, AFaultDoesNotAccuseWhatIsSoundBesideIt) {
     const std::vector<std::string> lines = faults();
     EXPECT_EQ(lines.size(), to == "\nstep:" ? 2u : 1u) << fixtures::joined(lines);  // misspelt: missing and unknown
     write("config/" + file, sound);
-  }
-}
-
-TEST_F(ScenarioFaultTest, RefusesARailSectionBeyondTheTrack) {
-  const std::vector<std::string> lines = faults({{"rail_sections.0.to_km", "12"}}, "scenarios/wet_stretch.yaml");
-  ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
-  EXPECT_NE(lines[0].find("rail_sections.0.to_km = 12: is beyond the track, 0 to 10 km"), std::string::npos)
-      << lines[0];
-}
-
-TEST_F(ScenarioFaultTest, RefusesOptionsOf3dLocomotivesInATrainThatHasNone) {
-  replace("config/scenarios/paper_3d_two_point.yaml", "locomotive_model: 3d", "locomotive_model: 2d");
-  const auto lines = faults({}, "scenarios/paper_3d_two_point.yaml");
-  EXPECT_EQ(lines.size(), 2u) << fixtures::joined(lines);
-  EXPECT_TRUE(fixtures::anyHas(lines, {"profiles", "is of use to 3D locomotives only: remove it"}))
-      << fixtures::joined(lines);
-  EXPECT_TRUE(fixtures::anyHas(lines, {"gravity_stiffness = true", "is of use to 3D locomotives only"}))
-      << fixtures::joined(lines);
-}
-
-TEST_F(ScenarioFaultTest, RefusesAFaultInTheScenariosProfilesOnceAndWithItsFile) {
-  replace("config/profiles/coned_1_20_uic60.yaml", "gauge_mm: 1435", "gauge_mm: 1400");
-  const auto lines = faults({}, "scenarios/paper_3d_two_point.yaml");
-  EXPECT_EQ(lines.size(), 1u) << fixtures::joined(lines);
-  EXPECT_TRUE(fixtures::anyHas(lines, {"profiles/coned_1_20_uic60.yaml: gauge_mm = 1400: gauge too narrow"}))
-      << fixtures::joined(lines);
-}
-
-TEST_F(ScenarioFaultTest, RefusesContactOptionsInATrainThatHasNoContacts) {
-  replace("config/scenarios/wet_stretch.yaml", "locomotive_model: 2d", "locomotive_model: 1d");
-  const std::vector<std::string> lines = faults({}, "scenarios/wet_stretch.yaml");
-  const std::string rule = ": is of no use to 1D locomotives: remove it, or choose another locomotive_model";
-  EXPECT_EQ(lines, (std::vector<std::string>{
-                       "scenarios/wet_stretch.yaml: adhesion_file = ../adhesion/paper_table1.yaml" + rule,
-                       "scenarios/wet_stretch.yaml: rail_sections = [...]" + rule,
-                       "scenarios/wet_stretch.yaml: control_file = ../control/pi_per_axle.yaml" + rule}))
-      << fixtures::joined(lines);
-}
-
-TEST_F(ScenarioFaultTest, ContactOptionsGoByTheModelsOfTheGroupsNotByTheScenarios) {
-  const std::string file = "config/scenarios/paper_2d.yaml";
-  replace("config/trains/paper.yaml", "notch_group: lead", "notch_group: lead, locomotive_model: 1d");
-  EXPECT_EQ(faults({}, "scenarios/paper_2d.yaml").size(), 2u);  // neither adhesion nor control is of use
-  replace(file, "adhesion_file:", "# adhesion_file:");
-  replace(file, "control_file:", "# control_file:");
-  EXPECT_EQ(faults({}, "scenarios/paper_2d.yaml"), std::vector<std::string>());
-}
-
-TEST_F(ScenarioFaultTest, AFaultInTheTrainOrTheModelDoesNotAccuseContactOptions) {
-  for (const std::string model : {"1d", "5d"}) {
-    const std::vector<std::string> lines =
-        faults({{"locomotive_model", model}, {"train.groups.0.count", "0"}}, "scenarios/paper_2d.yaml");
-    EXPECT_EQ(lines.size(), model == "1d" ? 1u : 2u) << fixtures::joined(lines);
   }
 }
 

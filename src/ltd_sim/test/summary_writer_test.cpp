@@ -3,6 +3,7 @@
 #include <map>
 
 #include "hand_made_run.hpp"
+#include "ltd_sim/supply_figures.hpp"
 #include "scratch_directory.hpp"
 #include "supply_texts.hpp"
 
@@ -96,6 +97,9 @@ TEST_F(SummaryWriterTest, OfASupplyItShowsWhatNobodyGaveAndWhatTheChainDoesNotEx
   EXPECT_EQ(of_first["energy_overload J"], "2");
   EXPECT_EQ(of_first["energy_supply_residual J"], "-60");  // (F12): a quarter of 160 - 400
   EXPECT_EQ(of_first.count("energy_fuel J"), 0u);
+  for (const ltd::SupplyFigure& figure : ltd::kSupplyFigures)
+    EXPECT_EQ(of_first.count(std::string("energy_") + figure.name + " J"), (battery.*figure.concerns)() ? 1u : 0u)
+        << figure.name;
 }
 
 TEST_F(SummaryWriterTest, ReportsEveryLocationOnceHoweverManyLieInAStepAndNoneThatIsNotReached) {

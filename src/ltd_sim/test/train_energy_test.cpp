@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rail_core/testing/verification.hpp"
+#include "supply_texts.hpp"
 #include "train_fixtures.hpp"
 
 namespace {
@@ -142,6 +143,45 @@ TEST(LocoEnergyTest, WorkOfADrivingLocomotiveIsTraction) {
   EXPECT_EQ(state.loco_energy[0].rim, 5300.0);
   EXPECT_EQ(state.loco_energy[0].brake_rail, 0.0);
   EXPECT_EQ(state.loco_energy[0].recovered_rim, 0.0);
+}
+
+/// A locomotive with a battery that pulls while the train rolls back down 20 permille, in the real order of calls.
+ltd::TrainState rolledBack() {
+  ltd::TrainModel train = fixtures::freeTrain(1, 100e3, fixtures::linearSpring(1e6));
+  const std::string text = fixtures::supplyHead("storage") + fixtures::storageText();
+  train.supplies = {
+      fixtures::readMap(text, [](rail::YamlReader reader) { return ltd::PowerSupply::read(reader, 0.0); })};
+  fixtures::Rig rig(train, fixtures::uniformGrade(20.0), 0.01, 5000.0, -1.0, fixtures::makeDriver("[0, 1]"));
+  loco::LocoTraction answer;
+  for (int k = 0; k < 200; ++k) {
+    rig.dynamics.computeForces(rig.state, rig.forces);
+    const double v = rig.state.v_mps[0], next = v + 0.01 * (rig.forces.grade_N[0] + rig.forces.reference_N[0]) / 100e3;
+    answer.traction_N = rig.forces.reference_N[0];
+    answer.work_rim_J = answer.traction_N * 0.01 * 0.5 * (v + next);  // 1D: rim = rail
+    EXPECT_EQ(rig.dynamics.step(rig.state, rig.forces, {&answer}), "");
+  }
+  EXPECT_GT(rig.state.reference_N[0], 0.0);
+  EXPECT_LT(rig.state.v_mps[0], 0.0);
+  return rig.state;
+}
+
+TEST(LocoEnergyTest, RollingBackUnderTractionIsRecoveredInTheAccountAndInTheSupplyAlike) {
+  const ltd::TrainState state = rolledBack();
+  const ltd::LocoEnergy& energy = state.loco_energy[0];
+  EXPECT_GT(energy.recovered_rim, 1000.0);
+  EXPECT_EQ(energy.recovered_rim, state.supply[0].recovered_rim_J);
+  EXPECT_EQ(energy.rim, state.supply[0].motored_rim_J);
+  EXPECT_EQ(energy.rim, 0.0);
+  EXPECT_NEAR(energy.brake_rail, energy.recovered_rim, 1e-9 * energy.recovered_rim);
+  EXPECT_EQ(energy.rail, 0.0);
+  EXPECT_GT(state.supply[0].storage_in_J, 0.0);
+}
+
+TEST(LocoEnergyTest, WhatTheWheelsOfACoastingLocomotiveTakeIsNoBrakes) {
+  loco::LocoTraction answer;
+  answer.traction_N = -100.0;
+  EXPECT_LT(bookedStep(0.0, answer).loco_energy[0].rail, 0.0);
+  EXPECT_EQ(bookedStep(0.0, answer).loco_energy[0].brake_rail, 0.0);
 }
 
 }  // namespace

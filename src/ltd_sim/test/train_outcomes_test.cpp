@@ -119,10 +119,26 @@ TEST(OutcomeTest, AnEmptyStoreIsNotedWithLocomotiveAndTimeAndEndsTraction) {
   EXPECT_TRUE(fixtures::contains(run.outcome.notes[0], "loco_1: its store was empty, first at "))
       << run.outcome.notes[0];
   EXPECT_TRUE(fixtures::contains(run.outcome.notes[1], "loco_2: ")) << run.outcome.notes[1];
-  // 4 MJ at 0.95 and 0.5 MW at most: 7.6 s at the link's power; the auxiliaries' 10 kW stay unserved.
+  // 4 MJ at 0.95 and 0.5 MW at most: 7.6 s at the link's power; then the auxiliaries' 10 kW stay unfed.
   EXPECT_GT(run.state.store_empty_at[0], 7 * rail::kNanosecondsPerSecond);
   EXPECT_LT(run.state.store_empty_at[0], 9 * rail::kNanosecondsPerSecond);
   EXPECT_EQ(run.state.traction_N[0], 0.0);
+  for (const ltd::PowerSupply::State& s : run.state.supply) {  // the power is cut with the store, (T4) or not
+    EXPECT_GT(s.motored_rim_J, 2e6);
+    EXPECT_NEAR(s.unserved_J, 0.0, 1e-7);  // round-off of 1 kJ a step, 4000 steps
+    const double starving_s = 120.0 - rail::toSeconds(run.state.store_empty_at[0]);
+    EXPECT_NEAR(s.auxiliaries_unfed_J, 1e4 * starving_s, 1e4 * 0.01);  // the two do not run out in the same step
+    EXPECT_NEAR(s.residual(), 0.0, 1e-6);
+  }
+}
+
+TEST(OutcomeTest, AStoresPowerBoundsTheWorkOfEachStepThoughTheTrainGathersSpeedInIt) {
+  const ltd::Scenario scenario = trip("over: time\nnotches: [[0, 8]]", fixtures::makeTrack(), 7.0);
+  for (const ltd::PowerSupply::State& s : fixtures::run(scenario).state.supply) {
+    EXPECT_GT(s.storage_out_J, 0.9 * 0.5e6 * 7.0);  // less while the motors respond
+    EXPECT_NEAR(s.auxiliaries_unfed_J, 0.0, 1e-7);  // with the speed at a step's start alone: 10 J
+    EXPECT_EQ(s.unserved_J, 0.0);
+  }
 }
 
 /// What a copy of config/ refuses.

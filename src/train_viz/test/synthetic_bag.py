@@ -150,14 +150,19 @@ def energy_message(rows: Dict[str, np.ndarray], i: int, mass_kg: float, locos: i
 
 def supply_lists(rows: Dict[str, np.ndarray], i: int, locos: int, m: TrainEnergy) -> None:
     """As of SUPPLY: half of what comes from the motors is stored, half heats the resistors; the engine does the rest."""
-    for name in ('fuel', 'litres', 'line', 'auxiliaries', 'storage_in', 'storage_out', 'stored', 'to_resistors', 'shoes'):
-        setattr(m, f'loco_{name}', [0.0] * locos)
+    for name in (name for name in TrainEnergy.__slots__ if name.startswith('loco_') and not getattr(m, name)):
+        setattr(m, name, [0.0] * locos)
     if not rows['supply']:
         return
-    shaft = (rows['rim'][i] / 0.9) / 0.8
+    rim, recovered = rows['rim'][i], rows['recovered'][i]
+    link = rim / 0.9
+    shaft = link / 0.8
+    m.loco_motored_loss, m.loco_generator, m.loco_generator_loss = [link - rim] * locos, [link] * locos, [shaft - link] * locos
     m.loco_fuel, m.loco_litres = [shaft / 0.4] * locos, [shaft / 0.4 / 36e6] * locos
-    m.loco_storage_in = m.loco_to_resistors = [0.45 * rows['recovered'][i]] * locos
-    m.loco_stored = [1e8 + 0.45 * 0.95 * rows['recovered'][i]] * locos
+    m.loco_engine_loss, m.loco_recovered_loss = [shaft / 0.4 - shaft] * locos, [0.1 * recovered] * locos
+    m.loco_storage_in = m.loco_to_resistors = [0.45 * recovered] * locos
+    m.loco_storage_loss = [0.05 * 0.45 * recovered] * locos
+    m.loco_stored, m.loco_stored_start = [1e8 + 0.95 * 0.45 * recovered] * locos, [1e8] * locos
 
 
 SUPPLY = ('{kind: diesel_storage, drivetrain_efficiency: 0.9, generator_efficiency: 0.8, engine: {rated_power_W: 4.6e6}, '
@@ -165,7 +170,7 @@ SUPPLY = ('{kind: diesel_storage, drivetrain_efficiency: 0.9, generator_efficien
 
 
 def write_bag(path: str, scenario: str = 'synthetic', locos: int = 3, wagons: int = 5, run_id: int = 1,
-              resolved: Optional[str] = None, format_version: int = 3, rows_from: int = 0, with_wheels: Sequence[int] = (),
+              resolved: Optional[str] = None, format_version: int = 4, rows_from: int = 0, with_wheels: Sequence[int] = (),
               period_s: float = PERIOD_S, contacts: bool = False, air_brake: bool = False, supply: bool = False,
               **simulation) -> Dict:
     """Writes a bag and returns what it holds: simulate()'s columns, the coupler forces and the axles' columns.

@@ -38,7 +38,7 @@ class BrakingFiguresTest(unittest.TestCase):
     def setUp(self):
         self.addCleanup(plt.close, 'all')
 
-    def test_reader_has_the_brakes_of_version_3(self):
+    def test_reader_has_the_brakes(self):
         last = {name: values[-1] for name, values in self.written.items() if isinstance(values, np.ndarray)}
         self.assertEqual(self.braked.locos['brake_rail'][-1].tolist(), [last['taken']] * 3)
         self.assertEqual(self.braked.locos['recovered_rim'][-1].tolist(), [last['recovered']] * 3)
@@ -143,7 +143,7 @@ class BrakingFiguresTest(unittest.TestCase):
     def test_supply_closes_from_fuel_to_rim(self):
         supply = supply_MJ(self.braked)
         rim, recovered = 3e-6 * self.written['rim'][-1], 3e-6 * self.written['recovered'][-1]
-        for name, value in (('motored', rim), ('shaft', rim / 0.9 / 0.8), ('fuel', rim / 0.9 / 0.8 / 0.4), ('unserved', 0.0),
+        for name, value in (('energy_rim', rim), ('shaft', rim / 0.9 / 0.8), ('fuel', rim / 0.9 / 0.8 / 0.4), ('unserved', 0.0),
                             ('recovered_loss', 0.1 * recovered), ('storage_loss', 0.05 * 0.45 * recovered)):
             self.assertAlmostEqual(supply[name], value, delta=1e-9 * rim, msg=name)
         losses, sources, sinks = supply_flows(supply)
@@ -154,15 +154,12 @@ class BrakingFiguresTest(unittest.TestCase):
             self.assertIn(part, words)
         self.assertIsNone(draw_energy_supply(self.plain))
 
-    def test_line_drawn_and_returned_are_told_apart_by_their_turns(self):
-        supply = ('supply: {kind: overhead_line, drivetrain_efficiency: 1.0, line: {efficiency: 0.5, regenerates: true}}')
-        run = dataclasses.replace(self.braked, resolved=self.plain.resolved.replace('0.35}', f'0.35, {supply}}}'),
-                                  locos={name: np.zeros_like(values) for name, values in self.braked.locos.items()})
-        run.locos['line'][1:] = 8e6
-        run.locos['line'][2:] -= 2e6
-        run.locos['energy_rim'][1:], run.locos['recovered_rim'][2:] = 4e6, 4e6
-        got = supply_MJ(run)
-        for name, value in (('drawn', 24.0), ('returned', 6.0), ('line_loss', 18.0), ('unserved', 0.0)):
+    def test_sums_of_the_supply_are_those_of_the_bag(self):
+        locos = {name: values.copy() for name, values in self.braked.locos.items()}
+        for i, name in enumerate(('line_drawn', 'line_returned', 'line_loss', 'unserved', 'auxiliaries_unfed')):
+            locos[name][-1] = 1e6 * (i + 1)
+        got = supply_MJ(dataclasses.replace(self.braked, locos=locos))
+        for name, value in (('line_drawn', 3.0), ('line_returned', 6.0), ('line_loss', 9.0), ('unserved', 12.0)):
             self.assertAlmostEqual(got[name], value, places=9, msg=name)
 
     def test_pressure_maps_show_the_whole_run_and_the_wave(self):

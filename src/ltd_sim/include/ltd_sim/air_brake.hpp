@@ -36,9 +36,6 @@ class AirBrake {
 
   bool present() const { return !vehicles_.empty(); }
 
-  /// "" if the command can be obeyed, otherwise what is wrong with it. Says nothing of traction.
-  std::string refuse(const DriverCommand& command) const;
-
   /// Pressure in the pipe that asks for full service, over the atmosphere [Pa].
   double fullServicePressure() const { return pipe_.parameters().full_service_Pa; }
 
@@ -47,9 +44,8 @@ class AirBrake {
 
   State initialState() const;
 
-  /// Advances the brake from t to t + H with the command held. H must be the same in all steps. Allocates in the
-  /// first step only.
-  void step(const DriverCommand& command, rail::Nanoseconds t, rail::Nanoseconds H, State& state) const;
+  /// Advances the brake by H with the command held. H must be the same in all steps. Allocates in the first step only.
+  void step(const DriverCommand& command, rail::Nanoseconds H, State& state) const;
 
   /// Largest force with which the shoes of a vehicle can retard it at this speed [N], >= 0.
   double shoeForce(std::size_t vehicle, double v_mps, const State& state) const;

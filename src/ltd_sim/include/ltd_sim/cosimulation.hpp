@@ -63,16 +63,14 @@ class Cosimulation {
   std::string checkSpeeds();
   void checkEnd();
   void guarded(const std::function<void()>& call);
-  bool stalled();
-  bool stands();
-  std::string runaway() const;
 
   const Scenario& scenario_;
   std::vector<loco::LocoPort*> ports_;
   std::vector<RunObserver*> observers_;
   DriverPort* driver_port_;
   TrainDynamics dynamics_;
-  TrainState state_, before_;
+  TrainState state_;
+  TrainSnapshot before_;
   TrainForces forces_;
   std::vector<loco::LocoForce> loco_forces_;
   std::vector<const loco::LocoTraction*> answers_;

@@ -7,9 +7,10 @@ namespace ltd {
 /// A vehicle's valve between brake pipe and cylinder: what share of the full cylinder pressure the pipe asks for.
 ///   graduated  share = (p_charged - p)/(p_charged - p_full_service), 0..1; asked from `first reduction` on, given up
 ///              at `full release reduction`                                                             (B3)
-///   direct     share = (p_r - p_low)/(p_charged - p_full_service), 0..1; p_low is the lowest pressure since the
-///              application, p_r the reservoir's before it. A rise over p_low releases the brake altogether, and the
-///              reservoir, which then stands at p_low, is recharged from the pipe at a limited rate     (B4)
+///   direct     share = (p_r - p_a)/(p_charged - p_full_service),  p_a = max(p_low, p_r - (p_charged - p_full_service))
+///              p_low is the lowest pressure since the application, p_r the reservoir's before it, p_a what it has
+///              then: once the cylinder is full it falls no further, however far the pipe does. A rise over p_a
+///              releases the brake altogether, and the reservoir is recharged from the pipe at a limited rate     (B4)
 /// So with direct release a brake applied again too soon has less force. Not modelled: exhaustion with graduated
 /// release.
 class Distributor {
@@ -19,13 +20,13 @@ class Distributor {
     double full_reduction_Pa = 0.0;            ///< of full service
     double first_reduction_Pa = 0.0;           ///< a smaller one applies no brake
     double full_release_reduction_Pa = 0.0;    ///< graduated: the brake is released at a smaller one
-    double release_rise_Pa = 0.0;              ///< direct: a larger rise releases
+    double release_rise_Pa = 0.0;              ///< direct: a larger rise over the reservoir releases
     double reservoir_charging_Pa_per_s = 0.0;  ///< direct
   };
   struct State {
     bool applied = false;
-    double reservoir_Pa = 0.0;
-    double lowest_Pa = 0.0;
+    double reservoir_Pa = 0.0;  ///< direct: now, or before the application that lasts
+    double lowest_Pa = 0.0;     ///< direct: of the pipe since the application
   };
   Distributor() = default;
   explicit Distributor(const Parameters& parameters) : p_(parameters) {}
@@ -45,6 +46,7 @@ class Distributor {
 
  private:
   double stepGraduated(double pipe_Pa, bool emergency, State& state) const;
+  double computeAppliedReservoir(const State& state) const;
   double stepDirect(double pipe_Pa, bool emergency, double step_s, State& state) const;
 
   Parameters p_;

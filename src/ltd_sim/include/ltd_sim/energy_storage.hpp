@@ -19,6 +19,9 @@ class EnergyStorage {
   double lowestEnergy() const { return lowest_share_ * capacity_J_; }    ///< [J]
   double highestEnergy() const { return highest_share_ * capacity_J_; }  ///< [J]
 
+  /// At its lowest charge, to round-off: a billionth of the capacity (chosen; 9 J of the example's 2400 kWh).
+  bool isEmpty(double stored_J) const { return stored_J <= lowestEnergy() + 1e-9 * capacity_J_; }
+
   double computeCharge(double stored_J) const { return stored_J / capacity_J_; }  ///< share of the capacity [-]
 
   /// The most that a step can give to the link, and take from it [J], >= 0.

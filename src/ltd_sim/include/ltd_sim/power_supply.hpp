@@ -2,6 +2,7 @@
 
 #include "ltd_sim/diesel_engine.hpp"
 #include "ltd_sim/energy_storage.hpp"
+#include "ltd_sim/loco_energy.hpp"
 #include "rail_core/yaml_reader.hpp"
 
 namespace ltd {
@@ -11,9 +12,10 @@ namespace ltd {
 ///   rail | rim -- drivetrain -- link -- generator -- shaft -- engine -- fuel
 ///                                |---- auxiliaries, storage, line, resistors
 ///
-/// Motoring, the storage gives first (strategy `assist`, chosen), engine or line the rest. Braking, what comes back
+/// Motoring, the storage gives first (strategy `assist`, chosen), engine or line the rest; what then lacks, the
+/// auxiliaries do without. Braking, what comes back
 /// feeds the auxiliaries, then the storage, then a line that takes it, and the rest heats the resistors. The engine
-/// never charges the storage (chosen). Equations (F1) to (F14): docs/energy.md.
+/// never charges the storage (chosen). Equations (F1) to (F16): docs/energy.md.
 ///
 /// YAML `supply`: name, kind (diesel, diesel_storage, storage, overhead_line), drivetrain_efficiency,
 /// auxiliary_power_W, auxiliary_share_of_rim_power; with an engine `engine` and generator_efficiency, with a storage
@@ -28,8 +30,10 @@ class PowerSupply {
     double stored_J = 0.0, stored_start_J = 0.0;  ///< in the storage, now and at the start
     double motored_rim_J = 0.0;                   ///< work of the motors at the wheel rims
     double recovered_rim_J = 0.0;                 ///< work of the rims on the motors, in dynamic braking
-    double drivetrain_loss_J = 0.0;               ///< between rim and link, both ways
-    double auxiliaries_J = 0.0;                   ///< compressor, fans, control; they load the link
+    double motored_loss_J = 0.0;                  ///< between link and rim, motoring
+    double recovered_loss_J = 0.0;                ///< between rim and link, braking
+    double auxiliaries_J = 0.0;                   ///< compressor, fans, control: what they got from the link
+    double auxiliaries_unfed_J = 0.0;             ///< and what they asked for beyond, in vain; for a report, no balance
     double generator_J = 0.0;                     ///< from the generator into the link
     double generator_loss_J = 0.0;                ///< between shaft and link
     double engine_loss_J = 0.0;                   ///< between fuel and shaft, idling included
@@ -43,8 +47,8 @@ class PowerSupply {
     double line_returned_J = 0.0;  ///< to the overhead line, after its loss
     double line_loss_J = 0.0;      ///< between line and link (transformer, converter), both ways
     double to_resistors_J = 0.0;   ///< recovered, and taken by nobody
-    double unserved_J = 0.0;       ///< asked of the link, and given by nobody
-    bool empty = false;            ///< in the last step the storage was asked for more than it held
+    double unserved_J = 0.0;       ///< what the motors took from the link beyond what anybody gave it
+    bool empty = false;            ///< the storage is at its lowest charge
 
     /// What the chain does not explain [J]: sources less sinks.                                         (F12)
     double residual() const;
@@ -62,9 +66,8 @@ class PowerSupply {
 
   State initialState() const;
 
-  /// Books one macro step. @param rim_work_J  net work at the locomotive's wheel rims over the step, torque times spin,
-  /// + motoring, - dynamic braking [J]. @param step_s  macro step H, > 0
-  void step(double rim_work_J, double step_s, State& state) const;
+  /// Books one macro step. @param step_s  macro step H, > 0
+  void step(const RimWork& work, double step_s, State& state) const;
 
   /// Power at the rim [W] that the next step can be served with, >= 0. Infinite for none, diesel (its rated power was
   /// checked when it was read) and line.                                                               (F13)
@@ -79,7 +82,7 @@ class PowerSupply {
  private:
   void readParts(rail::YamlReader& reader);
   double computeRimPower(double link_power_W) const;
-  void serveLink(double asked_J, double step_s, State& state) const;
+  double serveLink(double asked_J, double step_s, State& state) const;
   void spillLink(double surplus_J, double step_s, State& state) const;
   void runEngine(double link_J, double step_s, State& state) const;
 

@@ -10,7 +10,7 @@ namespace ltd {
 
 /// What happened in one committed step: from `before` (t_k) to `after` (t_k+1).
 struct StepRecord {
-  const TrainState& before;
+  const TrainSnapshot& before;
   const TrainState& after;
   const TrainForces& forces;                              ///< at t_k
   const std::vector<loco::LocoForce>& loco_forces;        ///< per locomotive, as sent

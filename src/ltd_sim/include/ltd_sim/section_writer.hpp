@@ -25,8 +25,8 @@ class SectionWriter : public RunObserver {
     double location_m, time_s, speed_mps;
     std::vector<double> stages;  ///< cumulative energies in the order of kStages [J], litres last
   };
-  std::vector<double> stagesOf(const TrainState& state) const;
-  Mark markAt(double location_m, double w, const TrainState& before, const TrainState& after) const;
+  std::vector<double> stagesOf(const TrainSnapshot& state) const;
+  Mark markAt(double location_m, double w, const TrainSnapshot& before, const TrainSnapshot& after) const;
   void writeRow(const Mark& from, const Mark& to);
 
   const Scenario& scenario_;

@@ -23,7 +23,7 @@ class SummaryWriter : public RunObserver {
   void onEnd(const TrainState& state, const Outcome& outcome) override;
 
  private:
-  void reportLocos(double location_m, double w, const TrainState& before, const TrainState& after);
+  void reportLocos(double location_m, double w, const TrainSnapshot& before, const TrainSnapshot& after);
   using RowOf = std::function<void(const char* quantity, const char* unit, double value)>;
   static void reportSupply(const PowerSupply& supply, const PowerSupply::State& before, const PowerSupply::State& after,
                            double w, const RowOf& row);

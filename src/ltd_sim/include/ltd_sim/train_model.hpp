@@ -40,6 +40,11 @@ struct TrainModel {
 
   double grossMass_t() const;
 
+  /// Of coupler i, from the middle of its slack [m], + draft. @param s_m  per vehicle
+  double couplerElongation(std::size_t i, const std::vector<double>& s_m) const {
+    return s_m[i] - s_m[i + 1] - coupler_distance_m[i];
+  }
+
   /// YAML `train`: name, coupler(_file), groups, each group either
   ///   {vehicle(_file), kind: locomotive, count, notch_group, coupler(_file) optional} or
   ///   {vehicle(_file), kind: wagon, count, coupler(_file) optional} or {repeat, groups}.

@@ -1,5 +1,10 @@
 #include "conversions.hpp"
 
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+#include "ltd_sim/supply_figures.hpp"
 #include "rail_core/build_id.hpp"
 
 namespace ltd {
@@ -9,6 +14,43 @@ namespace {
 rail::Nanoseconds timeOf(const Scenario& scenario, const TrainState& state) {
   return static_cast<rail::Nanoseconds>(state.step) * scenario.macro_step;
 }
+
+using EnergyMsg = train_msgs::TrainEnergy;
+using List = std::vector<double> EnergyMsg::*;
+
+constexpr std::pair<List, double LocoEnergy::*> kLocoLists[] = {
+    {&EnergyMsg::loco_energy_rail, &LocoEnergy::rail},
+    {&EnergyMsg::loco_energy_rim, &LocoEnergy::rim},
+    {&EnergyMsg::loco_energy_slip, &LocoEnergy::slip},
+    {&EnergyMsg::loco_brake_rail, &LocoEnergy::brake_rail},
+    {&EnergyMsg::loco_recovered_rim, &LocoEnergy::recovered_rim},
+    {&EnergyMsg::loco_shoes, &LocoEnergy::shoes},
+};
+
+/// As kSupplyFigures has them.
+constexpr std::pair<List, double PowerSupply::State::*> kSupplyLists[] = {
+    {&EnergyMsg::loco_fuel, &PowerSupply::State::fuel_J},
+    {&EnergyMsg::loco_idle_fuel, &PowerSupply::State::idle_fuel_J},
+    {&EnergyMsg::loco_engine_loss, &PowerSupply::State::engine_loss_J},
+    {&EnergyMsg::loco_overload, &PowerSupply::State::overload_J},
+    {&EnergyMsg::loco_generator, &PowerSupply::State::generator_J},
+    {&EnergyMsg::loco_generator_loss, &PowerSupply::State::generator_loss_J},
+    {&EnergyMsg::loco_line_drawn, &PowerSupply::State::line_drawn_J},
+    {&EnergyMsg::loco_line_returned, &PowerSupply::State::line_returned_J},
+    {&EnergyMsg::loco_line_loss, &PowerSupply::State::line_loss_J},
+    {&EnergyMsg::loco_storage_in, &PowerSupply::State::storage_in_J},
+    {&EnergyMsg::loco_storage_out, &PowerSupply::State::storage_out_J},
+    {&EnergyMsg::loco_storage_loss, &PowerSupply::State::storage_loss_J},
+    {&EnergyMsg::loco_stored, &PowerSupply::State::stored_J},
+    {&EnergyMsg::loco_stored_start, &PowerSupply::State::stored_start_J},
+    {&EnergyMsg::loco_motored_loss, &PowerSupply::State::motored_loss_J},
+    {&EnergyMsg::loco_recovered_loss, &PowerSupply::State::recovered_loss_J},
+    {&EnergyMsg::loco_auxiliaries, &PowerSupply::State::auxiliaries_J},
+    {&EnergyMsg::loco_auxiliaries_unfed, &PowerSupply::State::auxiliaries_unfed_J},
+    {&EnergyMsg::loco_to_resistors, &PowerSupply::State::to_resistors_J},
+    {&EnergyMsg::loco_unserved, &PowerSupply::State::unserved_J},
+};
+static_assert(std::size(kSupplyLists) == std::tuple_size_v<decltype(kSupplyFigures)>);
 
 }  // namespace
 
@@ -44,29 +86,20 @@ void toMsg(const Scenario& scenario, const TrainState& state, const TrainForces&
 void toMsg(const Scenario& scenario, const TrainState& state, train_msgs::TrainEnergy& msg) {
   const rail::EnergyAccount& a = state.account;
   msg.header.stamp = toStamp(timeOf(scenario, state));
-  const std::size_t locos = state.loco_energy.size();
-  for (auto* list :
-       {&msg.loco_energy_rail, &msg.loco_energy_rim, &msg.loco_energy_slip, &msg.loco_brake_rail,
-        &msg.loco_recovered_rim, &msg.loco_shoes, &msg.loco_fuel, &msg.loco_litres, &msg.loco_line,
-        &msg.loco_auxiliaries, &msg.loco_storage_in, &msg.loco_storage_out, &msg.loco_stored, &msg.loco_to_resistors})
-    list->resize(locos);
-  for (std::size_t i = 0; i < locos; ++i) {
-    const LocoEnergy& energy = state.loco_energy[i];
-    msg.loco_energy_rail[i] = energy.rail;
-    msg.loco_energy_rim[i] = energy.rim;
-    msg.loco_energy_slip[i] = energy.slip;
-    msg.loco_brake_rail[i] = energy.brake_rail;
-    msg.loco_recovered_rim[i] = energy.recovered_rim;
-    msg.loco_shoes[i] = energy.shoes;
-    const PowerSupply::State& supply = state.supply[i];
-    msg.loco_fuel[i] = supply.fuel_J;
-    msg.loco_litres[i] = scenario.train.supplies[scenario.train.locomotives[i].type].computeLitres(supply);
-    msg.loco_line[i] = supply.line_drawn_J - supply.line_returned_J;
-    msg.loco_auxiliaries[i] = supply.auxiliaries_J;
-    msg.loco_storage_in[i] = supply.storage_in_J;
-    msg.loco_storage_out[i] = supply.storage_out_J;
-    msg.loco_stored[i] = supply.stored_J;
-    msg.loco_to_resistors[i] = supply.to_resistors_J;
+  for (const auto& [list, energy] : kLocoLists) {
+    (msg.*list).resize(state.loco_energy.size());
+    for (std::size_t i = 0; i < state.loco_energy.size(); ++i) (msg.*list)[i] = state.loco_energy[i].*energy;
+  }
+  for (const auto& [list, energy_J] : kSupplyLists) {
+    (msg.*list).resize(state.supply.size());
+    for (std::size_t i = 0; i < state.supply.size(); ++i) (msg.*list)[i] = state.supply[i].*energy_J;
+  }
+  msg.loco_litres.resize(state.supply.size());
+  msg.loco_supply_residual.resize(state.supply.size());
+  for (std::size_t i = 0; i < state.supply.size(); ++i) {
+    const PowerSupply& supply = scenario.train.supplies[scenario.train.locomotives[i].type];
+    msg.loco_litres[i] = supply.computeLitres(state.supply[i]);
+    msg.loco_supply_residual[i] = state.supply[i].residual();
   }
   msg.traction_rail = a.traction_rail;
   msg.traction_rim = a.traction_rim;

@@ -17,7 +17,7 @@ using loco::toMsg;
 using loco::toStamp;
 
 /// Meaning of a bag's topics and fields; counts up when one changes.
-inline constexpr std::uint32_t kBagFormatVersion = 3;
+inline constexpr std::uint32_t kBagFormatVersion = 4;
 
 /// Telemetry of the train and its description, field by field. The messages of the lock:
 /// loco_dynamics/node/conversions.hpp.

@@ -33,6 +33,7 @@ void DriverLink::open(Receive receive) {
 void DriverLink::close() { subscriber_.shutdown(); }
 
 void DriverLink::ask(std::uint64_t step, const DriverView& view) {
+  accepted_once_ = accepted_once_ || answer_;  // one that was refused is gone
   answer_.reset();
   refused_.clear();
   asked_ = true;
@@ -55,7 +56,7 @@ std::string DriverLink::refusal() const {
 
 double DriverLink::waited_s() const { return wallNow() - asked_at_s_; }
 
-double DriverLink::deadline_s() const { return answered_once_ ? answer_deadline_s_ : first_deadline_s_; }
+double DriverLink::deadline_s() const { return accepted_once_ ? answer_deadline_s_ : first_deadline_s_; }
 
 bool DriverLink::silent() { return waited_s() > deadline_s(); }
 
@@ -64,7 +65,6 @@ std::string DriverLink::take(const train_msgs::DriverCommand& msg) {
     return "answers step " + std::to_string(msg.step) + " of run " + std::to_string(msg.run_id) +
            (asked_ ? ", asked was step " + std::to_string(question_.step) + " of run " + std::to_string(run_id_)
                    : ", and nothing was asked");
-  answered_once_ = true;
   if (!answer_) answer_ = fromMsg(msg);
   return {};
 }

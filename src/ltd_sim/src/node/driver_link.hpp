@@ -47,7 +47,7 @@ class DriverLink : public DriverPort {
 
   std::uint64_t run_id_;
   double answer_deadline_s_, first_deadline_s_;
-  bool asked_ = false, answered_once_ = false;
+  bool asked_ = false, accepted_once_ = false;
   double asked_at_s_ = 0.0, sent_at_s_ = 0.0;  ///< wall time
   std::optional<DriverCommand> answer_;
   std::string refused_;  ///< why the last answer to this question did not count

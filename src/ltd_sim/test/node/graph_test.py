@@ -5,6 +5,7 @@ import math
 import os
 import signal
 import sys
+import time
 import unittest
 
 import rosbag
@@ -159,6 +160,15 @@ class GraphTest(unittest.TestCase):
         self.graph.wait_for_text(train, "the driver's answer to step 1000 was refused: notch = 9: must be 0 to 8")
         self.assertEqual(self.graph.wait_for_end(train), 1, self.graph.text(train))  # braked to a stand: he is silent
         self.assertRegex(outcome_of(self.graph.out)["reason"], r"no answer within 1 s to the question of 2\.000 s")
+
+    def test_a_first_answer_that_is_refused_leaves_the_first_deadline_as_it_is(self):
+        train = self.start_external("driver.answer_deadline_s=1 run.end_time_s=4")
+        self.graph.start([program("ltd_sim", "example_driver"), "_notches:=[[0, 9]]"])
+        self.graph.wait_for_text(train, "the driver's answer to step 0 was refused: notch = 9: must be 0 to 8")
+        time.sleep(1.5)  # longer than the deadline of an answer after the first
+        self.graph.start([program("ltd_sim", "example_driver"), "_notches:=[[0, 1]]"])  # of the same name: takes his place
+        self.assertEqual(self.graph.wait_for_end(train), 0, self.graph.text(train))
+        self.assertEqual(outcome_of(self.graph.out)["outcome"], "finished")
 
     def test_a_locomotive_killed_in_the_run_and_started_again_leaves_the_bits_alone(self):
         train, locos = self.start_all(SHORT, hold="true")

@@ -124,9 +124,9 @@ def _energy_rows(run: Run, terms: List[Tuple[str, str, str]]) -> List[Row]:
 
 def _supply_rows(supply: Optional[dict]) -> List[Row]:
     """Of locomotives with a supply; a run without any has no numbers."""
-    terms = (('fuel', 'fuel burnt [MJ]'), ('litres', 'fuel burnt [l]'), ('drawn', 'drawn from the line [MJ]'),
-             ('returned', 'returned to the line [MJ]'), ('storage_out', 'out of the storage, at the link [MJ]'),
-             ('storage_in', 'into the storage, at the link [MJ]'), ('resistors', 'into resistors, at the link [MJ]'),
+    terms = (('fuel', 'fuel burnt [MJ]'), ('litres', 'fuel burnt [l]'), ('line_drawn', 'drawn from the line [MJ]'),
+             ('line_returned', 'returned to the line [MJ]'), ('storage_out', 'out of the storage, at the link [MJ]'),
+             ('storage_in', 'into the storage, at the link [MJ]'), ('to_resistors', 'into resistors, at the link [MJ]'),
              ('auxiliaries', 'auxiliaries, at the link [MJ]'))
     return [(words, '', _number(supply[name]) if supply else '-') for name, words in terms]
 

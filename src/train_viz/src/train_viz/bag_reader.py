@@ -17,7 +17,7 @@ from train_viz.progress import Progress
 from train_viz.row_store import RowStore, slot_width
 from train_viz.run import ReportError, Run
 
-FORMAT_VERSION = 3  # of the bag, as in RunConfiguration; with another one fields may mean something else
+FORMAT_VERSION = 4  # of the bag, as in RunConfiguration; with another one fields may mean something else
 
 TOPICS = {
     '/train/configuration': RunConfiguration,

@@ -96,7 +96,8 @@ SUPPLY_LINES = (  # of TrainEnergy's lists, less their start
     ('stored', 'in the storage, change', plot_style.BLUE, '-'),
     ('storage_in', 'into the storage, at the link', plot_style.SKY, '--'),
     ('storage_out', 'out of the storage, at the link', plot_style.PURPLE, '--'),
-    ('line', 'drawn from the line less returned', plot_style.PURPLE, '-'),
+    ('line_drawn', 'drawn from the line', plot_style.PURPLE, '-'),
+    ('line_returned', 'returned to the line', plot_style.GREEN, '-'),
     ('to_resistors', 'into resistors, at the link', plot_style.VERMILION, '-'),
     ('auxiliaries', 'auxiliaries, at the link', plot_style.ORANGE, '-'),
 )

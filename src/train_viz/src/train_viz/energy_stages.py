@@ -2,7 +2,7 @@
 
 Nothing here knows ROS or matplotlib.
 """
-from typing import Any, Dict, List, Optional
+from typing import Dict, List, Optional
 
 import numpy as np
 
@@ -54,7 +54,7 @@ def rim_words(runs: List[Run]) -> str:
 
 def _braking(run: Run) -> np.ndarray:
     taken, given = (np.diff(run.locos[name], axis=0, prepend=0.0) for name in ('brake_rail', 'energy_rail'))
-    return taken > np.maximum(given, 0.0)  # a train that rolls back at a start takes from the rail without a brake
+    return taken > np.maximum(given, 0.0)  # the wheels of a coasting locomotive take a little without a brake
 
 
 def _sum_where(cumulative: np.ndarray, flags: np.ndarray) -> np.ndarray:
@@ -68,44 +68,12 @@ def supplied(run: Run) -> List[int]:
 
 
 def supply_MJ(run: Run) -> Optional[Dict[str, float]]:
-    """All energies of (F12) at the end, of the locomotives with a supply together; None if none has one.
-
-    The bag holds what enters and leaves the link; the losses between follow from the efficiencies in the scenario.
-    """
-    total: Dict[str, float] = {}
-    for locomotive in supplied(run):
-        for name, value in _supply_of(run, locomotive).items():
-            total[name] = total.get(name, 0.0) + value / J_PER_MJ
-    return total or None
-
-
-def _supply_of(run: Run, locomotive: int) -> Dict[str, float]:
-    books = {name: float(values[-1, locomotive - 1]) for name, values in run.locos.items()}
-    drivetrain = _number(run, locomotive, 1.0, 'drivetrain_efficiency')
-    generator = _number(run, locomotive, 1.0, 'generator_efficiency')
-    line = _number(run, locomotive, 1.0, 'line', 'efficiency')
-    line_steps = np.diff(run.locos['line'][:, locomotive - 1], prepend=0.0)  # the bag has the difference of the two
-    drawn, returned = float(line_steps.clip(min=0.0).sum()), float(-line_steps.clip(max=0.0).sum())
-    to_motors, from_motors = books['energy_rim'] / drivetrain, books['recovered_rim'] * drivetrain
-    asked = to_motors + books['auxiliaries'] + books['storage_in'] + books['to_resistors'] + returned / line
-    rest = asked - from_motors - books['storage_out'] - drawn * line
-    has_engine = read_locomotive_value(run.resolved, locomotive, 'supply', 'engine') is not None
-    from_generator = max(rest, 0.0) if has_engine else 0.0
-    shaft = from_generator / generator
-    stored_start = float(run.locos['stored'][0, locomotive - 1])
-    return {
-        'fuel': books['fuel'], 'engine_loss': books['fuel'] - shaft, 'shaft': shaft, 'generator_loss': shaft - from_generator,
-        'generator': from_generator, 'drawn': drawn, 'line_loss': drawn * (1.0 - line) + returned * (1.0 / line - 1.0),
-        'returned': returned, 'storage_out': books['storage_out'], 'storage_in': books['storage_in'],
-        'stored_change': books['stored'] - stored_start,
-        'storage_loss': books['storage_in'] - books['storage_out'] - (books['stored'] - stored_start),
-        'recovered': books['recovered_rim'], 'recovered_loss': books['recovered_rim'] - from_motors,
-        'motored': books['energy_rim'], 'motored_loss': to_motors - books['energy_rim'],
-        'auxiliaries': books['auxiliaries'], 'resistors': books['to_resistors'], 'unserved': rest - from_generator,
-        'litres': books['litres'] * J_PER_MJ,
-    }
-
-
-def _number(run: Run, locomotive: int, fallback: float, *path: Any) -> float:
-    value = read_locomotive_value(run.resolved, locomotive, 'supply', *path)
-    return fallback if value is None else float(value)
+    """All energies of (F12) at the end, by TrainEnergy's names without loco_, of the locomotives with a supply together; None
+    if none has one. And the energy through the shaft, what is stored since the start, litres."""
+    columns = [i - 1 for i in supplied(run)]
+    if not columns:
+        return None
+    total = {name: float(values[-1, columns].sum()) / J_PER_MJ for name, values in run.locos.items()}
+    total.update(litres=total['litres'] * J_PER_MJ, shaft=total['generator'] + total['generator_loss'],
+                 stored_change=total['stored'] - total['stored_start'])
+    return total

@@ -119,7 +119,7 @@ class Run:
 
     def has_supply(self) -> bool:
         """Whether any locomotive books what feeds its motors."""
-        return bool(any(np.any(self.locos[name]) for name in ('fuel', 'line', 'auxiliaries', 'stored')))
+        return bool(any(np.any(self.locos[name]) for name in ('fuel', 'line_drawn', 'auxiliaries', 'stored')))
 
     def rim_differs(self) -> bool:
         """Whether the rim pays visibly more than the rail gets (in 1D both are the same)."""

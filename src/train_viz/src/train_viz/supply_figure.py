@@ -16,18 +16,18 @@ X_SOURCES, X_SHAFT, X_LINK, X_SINKS = 0.0, 0.28, 0.56, 1.0
 
 # What enters the link beside the engine's, and what leaves it: (term of supply_MJ, words, colour)
 ENTERS = (
-    ('drawn', 'drawn from the line', plot_style.PURPLE),
+    ('line_drawn', 'drawn from the line', plot_style.PURPLE),
     ('storage_out', 'out of the storage, at the link', plot_style.SKY),
-    ('recovered', 'recovered, at the rim', RECOVERED_COLOUR),
+    ('recovered_rim', 'recovered, at the rim', RECOVERED_COLOUR),
     ('unserved', 'unserved', plot_style.VERMILION),
 )
 LEAVES = (
-    ('motored', 'motors, at the rim', RIM_COLOUR),
+    ('energy_rim', 'motors, at the rim', RIM_COLOUR),
     ('drivetrain', 'drivetrain loss, both ways', LOST),
     ('auxiliaries', 'auxiliaries, at the link', plot_style.ORANGE),
     ('storage_in', 'into the storage, at the link', plot_style.SKY),
-    ('resistors', 'resistors, at the link', plot_style.VERMILION),
-    ('returned', 'returned to the line', plot_style.PURPLE),
+    ('to_resistors', 'resistors, at the link', plot_style.VERMILION),
+    ('line_returned', 'returned to the line', plot_style.PURPLE),
     ('line_loss', 'line loss', LOST),
 )
 
