@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <string>
+
+#include "driver_sources.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -67,14 +70,15 @@ AirBrake AirBrake::read(rail::YamlReader reader, const TrainModel& train) {
 }
 
 std::string AirBrake::refuse(const DriverCommand& c) const {
-  std::ostringstream fault;
-  if (!(c.pipe_pressure_Pa >= 0.0 && c.pipe_pressure_Pa <= kChargedPipe_Pa))
-    fault << "pipe pressure " << c.pipe_pressure_Pa << " Pa: must be from 0 to " << kChargedPipe_Pa << " Pa";
-  else if (!(c.independent_brake >= 0.0 && c.independent_brake <= 1.0))
-    fault << "independent brake " << c.independent_brake << ": must be from 0 to 1";
-  else if (!present() && !sameForBrake(c, DriverCommand()))
-    fault << "air brake commanded, but the scenario has no air_brake";
-  return fault.str();
+  const std::string pipe = "pipe_pressure = " + rail::messageNumber(c.pipe_pressure_Pa);
+  const std::string independent = "independent_brake = " + rail::messageNumber(c.independent_brake);
+  const std::string charged = rail::messageNumber(kChargedPipe_Pa) + " Pa";
+  if (!(c.pipe_pressure_Pa >= 0.0 && c.pipe_pressure_Pa <= kChargedPipe_Pa)) return pipe + ": must be 0 to " + charged;
+  if (!(c.independent_brake >= 0.0 && c.independent_brake <= 1.0)) return independent + ": must be 0 to 1";
+  if (present()) return "";
+  if (c.pipe_pressure_Pa < kChargedPipe_Pa) return pipe + ": must be " + charged + ", " + kNoAirBrake;
+  if (c.independent_brake > 0.0) return independent + ": must be 0, " + kNoAirBrake;
+  return c.emergency ? std::string("emergency = true: must be false, ") + kNoAirBrake : "";
 }
 
 AirBrake::State AirBrake::initialState() const {

@@ -9,16 +9,13 @@
 
 #include "rail_core/constants.hpp"
 #include "rail_core/digest.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
 namespace {
 
-std::string kilometres(double s_m) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f km", s_m / rail::kMetresPerKilometre);
-  return text;
-}
+std::string kilometres(double s_m) { return rail::fixedNumber(s_m / rail::kMetresPerKilometre, 3) + " km"; }
 
 std::string nameOf(std::size_t loco) { return "loco_" + std::to_string(loco + 1); }
 
@@ -78,14 +75,23 @@ bool Cosimulation::takeCommand() {
     if (fault.empty()) fault = scenario_.air_brake.refuse(*command);
     if (fault.empty()) return true;
     driver_port_->refuse(fault);
+    noteRefusal(fault);
   }
   if (!driver_port_->silent()) return false;
-  char text[160];
-  std::snprintf(text, sizeof text, "driver: no answer within %g s to the question of %.3f s at %s: the train brakes",
-                driver_port_->deadline_s(), rail::toSeconds(time()), kilometres(leadingLocation()).c_str());
-  silence_ = text;
+  silence_ = "driver: no answer within " + rail::messageNumber(driver_port_->deadline_s()) + " s to the question of " +
+             rail::fixedNumber(rail::toSeconds(time()), 3) + " s at " + kilometres(leadingLocation()) +
+             ": the train brakes";
   scenario_.driver.giveSilence(state_.driver);
   return true;
+}
+
+void Cosimulation::noteRefusal(const std::string& fault) {
+  constexpr std::size_t kMostRefusals = 10;  // chosen: whoever reads ten of them has understood
+  for (const std::string& told : refused_answers_)
+    if (told.find(fault) != std::string::npos) return;
+  if (refused_answers_.size() == kMostRefusals) return;
+  refused_answers_.push_back("driver: answer to the question of " + rail::fixedNumber(rail::toSeconds(time()), 3) +
+                             " s refused: " + fault);
 }
 
 bool Cosimulation::gatherAnswers() {
@@ -166,9 +172,8 @@ void Cosimulation::checkEnd() {
     end(Outcome::Kind::kFailed, "vehicle " + std::to_string(off + 1) + " left the track at " +
                                     kilometres(state_.s_m[static_cast<std::size_t>(off)]));
   } else if (time() >= scenario_.run.end_time) {
-    char text[48];
-    std::snprintf(text, sizeof text, "reached the end time %g s", rail::toSeconds(scenario_.run.end_time));
-    end(Outcome::Kind::kFinished, text);
+    end(Outcome::Kind::kFinished,
+        "reached the end time " + rail::messageNumber(rail::toSeconds(scenario_.run.end_time)) + " s");
   } else if (const std::string fault = runaway(); !fault.empty()) {
     end(Outcome::Kind::kFailed, fault);
   } else if (stands()) {
@@ -220,6 +225,7 @@ std::string Cosimulation::runaway() const {
 
 std::vector<std::string> Cosimulation::notes() const {
   std::vector<std::string> told = scenario_.driver.notes(state_.driver);
+  told.insert(told.end(), refused_answers_.begin(), refused_answers_.end());
   if (!silence_.empty()) told.push_back(silence_);
   for (std::size_t i = 0; i < state_.supply.size(); ++i) {
     if (state_.store_empty_at[i] < 0) continue;

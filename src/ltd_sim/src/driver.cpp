@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "driver_sources.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -111,6 +112,7 @@ DriverCommand Driver::groupCommand(std::size_t group, rail::Nanoseconds t, const
   return command;
 }
 
+/// Fields have the names that they have in the message DriverCommand.
 std::string Driver::give(const DriverCommand& answer, State& state) const {
   const auto fault = [](const std::string& what, const std::string& rule) { return what + ": " + rule; };
   if (answer.notch < 0 || answer.notch > largest_.notch)
@@ -121,10 +123,10 @@ std::string Driver::give(const DriverCommand& answer, State& state) const {
   if (answer.notch > 0 && answer.brake_notch > 0)
     return fault("brake_notch = " + std::to_string(answer.brake_notch), "must be 0 beside a notch: never both at once");
   if (!(answer.pipe_pressure_Pa >= 0.0 && answer.pipe_pressure_Pa <= kChargedPipe_Pa))
-    return fault("pipe_pressure_Pa = " + std::to_string(answer.pipe_pressure_Pa),
-                 "must be 0 to " + std::to_string(kChargedPipe_Pa));
+    return fault("pipe_pressure = " + rail::messageNumber(answer.pipe_pressure_Pa),
+                 "must be 0 to " + rail::messageNumber(kChargedPipe_Pa) + " Pa");
   if (!(answer.independent_brake >= 0.0 && answer.independent_brake <= 1.0))
-    return fault("independent_brake = " + std::to_string(answer.independent_brake), "must be 0 to 1");
+    return fault("independent_brake = " + rail::messageNumber(answer.independent_brake), "must be 0 to 1");
   state.given = answer;
   return {};
 }

@@ -1,22 +1,16 @@
 #include "ltd_sim/scenario.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "loco_dynamics/loco_factory.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 #include "scenario_names.hpp"
+#include "scenario_places.hpp"
 
 namespace ltd {
 
 namespace {
-
-std::string format(double x) {
-  std::ostringstream text;
-  text.precision(4);
-  text << x;
-  return text.str();
-}
 
 rail::Nanoseconds readTime(rail::YamlReader& reader, const std::string& key, const rail::Range& range) {
   const std::optional<rail::Nanoseconds> t = rail::wholeNanoseconds(reader.number(key, range));
@@ -36,10 +30,8 @@ bool isSound(const rail::Problems& problems, Read read) {
 
 RunLimits readRun(rail::YamlReader reader) {
   RunLimits run;
-  const bool places_known = isSound(reader.problems(), [&] {
-    run.start_location_m = reader.number("start_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
-    run.end_location_m = reader.number("end_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
-  });
+  run.start_location_m = reader.number("start_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
+  run.end_location_m = reader.number("end_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
   run.start_speed_mps = reader.number("start_speed_kmph", rail::between(0.0, 400.0)) / rail::kKmphPerMps;
   run.end_time = readTime(reader, "end_time_s", rail::aboveUpTo(0.0, 1e6));
   rail::YamlReader stall = reader.map("stall");
@@ -50,8 +42,6 @@ RunLimits readRun(rail::YamlReader reader) {
     run.standstill_time = readTime(reader, "end_at_standstill_s", rail::aboveUpTo(0.0, 1e5));
   if (reader.has("runaway_above_limit_kmph"))
     run.runaway_margin_mps = reader.number("runaway_above_limit_kmph", rail::between(0.0, 400.0)) / rail::kKmphPerMps;
-  if (places_known && run.end_location_m <= run.start_location_m)
-    reader.refuse("end_location_km", "must be ahead of start_location_km");
   reader.finish();
   return run;
 }
@@ -62,8 +52,8 @@ void readSteps(rail::YamlReader reader, Scenario& scenario) {
     scenario.micro_step = readTime(reader, "micro_step_s", rail::aboveUpTo(0.0, 1.0));
   });
   if (known && scenario.macro_step % scenario.micro_step != 0)
-    reader.refuse("macro_step_s",
-                  "must be a whole multiple of micro_step_s = " + format(rail::toSeconds(scenario.micro_step)));
+    reader.refuse("macro_step_s", "must be a whole multiple of micro_step_s = " +
+                                      rail::exactNumber(rail::toSeconds(scenario.micro_step)));
   reader.finish();
 }
 
@@ -74,29 +64,6 @@ LockLimits readLock(rail::YamlReader reader) {
   lock.synchronisation_tolerance_mps = reader.number("synchronisation_tolerance_mps", rail::positive());
   reader.finish();
   return lock;
-}
-
-/// Where places may lie, if that is known.
-struct Bounds {
-  bool known = false;
-  double from_m = 0.0, to_m = 0.0;
-};
-
-/// Places beyond the end of the run are allowed, so that a run may be shortened without touching them.
-std::vector<double> readLocations(rail::YamlReader& reader, const std::string& key, const Bounds& bounds) {
-  std::vector<double> locations_m;
-  const bool known = isSound(reader.problems(), [&] {
-    for (const double km : reader.numbers(key, rail::anyNumber()))
-      locations_m.push_back(km * rail::kMetresPerKilometre);
-  });
-  if (!known) return locations_m;
-  for (std::size_t i = 0; i < locations_m.size(); ++i) {
-    if (i > 0 && locations_m[i] <= locations_m[i - 1]) reader.refuse(key, "must rise");
-    if (bounds.known && (locations_m[i] < bounds.from_m || locations_m[i] > bounds.to_m))
-      reader.refuse(key, format(locations_m[i] / rail::kMetresPerKilometre) +
-                             " is not between run.start_location_km and the end of the track");
-  }
-  return locations_m;
 }
 
 rail::Nanoseconds readInterval(rail::YamlReader& reader, const std::string& key, rail::Nanoseconds macro_step,
@@ -170,37 +137,6 @@ std::vector<loco::RailConditions::Section> readContactOptions(rail::YamlReader& 
   return loco::readModelOptions(root, step_known ? scenario.micro_step : 0).rail.sections;
 }
 
-void checkRailSections(rail::YamlReader& root, const std::vector<loco::RailConditions::Section>& sections,
-                       const rail::Track& track) {
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    rail::YamlReader section = root.maps("rail_sections")[i];
-    const std::string rule = "is beyond the track, " + format(track.start_m() / rail::kMetresPerKilometre) + " to " +
-                             format(track.end_m() / rail::kMetresPerKilometre) + " km";
-    if (sections[i].from_m < track.start_m()) section.refuse("from_km", rule);
-    if (sections[i].to_m > track.end_m()) section.refuse("to_km", rule);
-  }
-}
-
-/// The train must stand on the track at the start, and the end must be on it.
-void checkPlaces(rail::YamlReader& root, const Scenario& scenario) {
-  if (scenario.train.locomotives.empty()) return;
-  double front_m = scenario.run.start_location_m, rear_m = scenario.run.start_location_m;
-  const std::size_t lead = scenario.train.locomotives.front().vehicle;
-  for (std::size_t i = 0; i < lead; ++i) front_m += scenario.train.coupler_distance_m[i];
-  for (std::size_t i = lead; i < scenario.train.coupler_distance_m.size(); ++i)
-    rear_m -= scenario.train.coupler_distance_m[i];
-  rail::YamlReader run = root.map("run");
-  const std::string track = " (track " + format(scenario.track.start_m() / rail::kMetresPerKilometre) + " to " +
-                            format(scenario.track.end_m() / rail::kMetresPerKilometre) + " km)";
-  if (rear_m < scenario.track.start_m() || front_m > scenario.track.end_m())
-    run.refuse("start_location_km", "the train would stand from " + format(rear_m / rail::kMetresPerKilometre) +
-                                        " to " + format(front_m / rail::kMetresPerKilometre) + " km, beyond the track" +
-                                        track);
-  const double ahead_m = front_m - scenario.run.start_location_m;  // of vehicles before the leading locomotive
-  if (scenario.run.end_location_m + ahead_m > scenario.track.end_m())
-    run.refuse("end_location_km", "the head of the train would be beyond the track" + track);
-}
-
 /// The couplers' friction and stiffness bound the macro step; see computeStepBound.
 void checkStep(rail::YamlReader& root, const Scenario& scenario) {
   if (scenario.train.locomotives.empty()) return;
@@ -208,11 +144,12 @@ void checkStep(rail::YamlReader& root, const Scenario& scenario) {
   const StepBound bound = computeStepBound(scenario.train, force_N);
   if (rail::toSeconds(scenario.macro_step) < bound.largest_step_s) return;
   const rail::Vehicle& vehicle = scenario.train.vehicles[bound.vehicle];
-  root.map("steps").refuse("macro_step_s",
-                           "must be below " + format(bound.largest_step_s) + " for this train: vehicle " +
-                               std::to_string(bound.vehicle + 1) + " (" + vehicle.name + ", " +
-                               format(vehicle.mass_kg / rail::kKilogramsPerTonne) + " t) with a coupler force of " +
-                               format(force_N / 1e6) + " MN, the sum of the locomotives' largest tractions");
+  root.map("steps").refuse(
+      "macro_step_s", "must be below " + rail::messageNumber(bound.largest_step_s, rail::Rounding::kDown) +
+                          " for this train: vehicle " + std::to_string(bound.vehicle + 1) + " (" + vehicle.name + ", " +
+                          rail::messageNumber(vehicle.mass_kg / rail::kKilogramsPerTonne) +
+                          " t) with a coupler force of " + rail::messageNumber(force_N / 1e6) +
+                          " MN, the sum of the locomotives' largest tractions");
 }
 
 /// What each locomotive's own model refuses: the micro step above all, which its stiffest motion bounds.
@@ -253,12 +190,19 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   // Sand does nothing in 1D either, but a driver may be shared with models in which it does.
   const bool sand = !model_known || !train_known || !anyHasContacts(scenario.train) || root.has("sanded_adhesion");
   if (root.has("air_brake")) scenario.air_brake = AirBrake::read(root.map("air_brake"), scenario.train);
-  scenario.driver =
-      readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track, scenario.air_brake, sand);
-  const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};
+  if (scenario.train.notch_groups.empty())
+    root.ignore("driver");  // whoever drives cannot be judged without anything to drive
+  else
+    scenario.driver =
+        readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track, scenario.air_brake, sand);
+  const Bounds track{track_known, scenario.track.start_m(), scenario.track.end_m()};
+  const double start_m = scenario.run.start_location_m;
+  const bool on_track = run_known && track_known && start_m >= track.from_m && start_m <= track.to_m;
+  const Bounds bounds{on_track, start_m, track.to_m};
   scenario.output = readOutput(root.map("output"), bounds, scenario.macro_step, step_known);
   root.finish();
   if (sections_known && track_known) checkRailSections(root, sections, scenario.track);
+  if (run_known) checkEndIsAhead(root, scenario.run, track);
   if (train_known && run_known && track_known) checkPlaces(root, scenario);
   if (train_known && step_known) checkStep(root, scenario);
   if (problems.empty()) checkLocomotives(scenario, problems);

@@ -109,14 +109,15 @@ TEST(AirBrakeFaultsTest, CommandsOutsideTheirRangesAreNamed) {
   const fixtures::BrakeRig rig;
   EXPECT_EQ(rig.brake.refuse(fixtures::pipeAt(3.5)), "");
   EXPECT_EQ(rig.brake.refuse(fixtures::pipeAt(0.0)), "");
-  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(fixtures::pipeAt(5.1)), "pipe pressure 510000"));
-  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(fixtures::pipeAt(-0.1)), "pipe pressure"));
+  EXPECT_TRUE(
+      fixtures::contains(rig.brake.refuse(fixtures::pipeAt(5.1)), "pipe_pressure = 510000: must be 0 to 500000 Pa"));
+  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(fixtures::pipeAt(-0.1)), "pipe_pressure = -10000"));
   ltd::DriverCommand command;
   command.pipe_pressure_Pa = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(command), "pipe pressure"));
+  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(command), "pipe_pressure = nan"));
   command = ltd::DriverCommand();
   command.independent_brake = 1.1;
-  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(command), "independent brake 1.1"));
+  EXPECT_TRUE(fixtures::contains(rig.brake.refuse(command), "independent_brake = 1.1"));
 }
 
 std::vector<std::string> shoeFaults(const std::string& text) {

@@ -31,6 +31,16 @@ class ScenarioFaultTest : public fixtures::ScratchDirectory {
     return {};
   }
 
+  /// What is said of a scenario outside the copy.
+  static std::vector<std::string> absent(const std::string& file) {
+    try {
+      ltd::Scenario::load(file, {});
+    } catch (const rail::ConfigError& error) {
+      return error.lines();
+    }
+    return {};
+  }
+
   /// The one line that breaking `file` gives.
   std::string faultOf(const std::string& file, const std::string& from, const std::string& to) const {
     replace("config/" + file, from, to);
@@ -48,14 +58,32 @@ class ScenarioFaultTest : public fixtures::ScratchDirectory {
 TEST_F(ScenarioFaultTest, TheCopyItselfIsSound) { EXPECT_EQ(faults(), std::vector<std::string>()); }
 
 TEST_F(ScenarioFaultTest, AScenarioThatDoesNotExistIsAnsweredWithThoseThatDo) {
-  EXPECT_EQ(
-      faults({}, "locomotives/bo_bo_8t.yaml"),
-      std::vector<std::string>{"locomotives/bo_bo_8t.yaml: scenario bo_bo_8t does not exist; there are: bo_bo_88t, "
-                               "co_co_134t, co_co_134t_storage"});
+  const std::string folder = path("config/scenarios");
+  const std::string misspelt = faults({}, "scenarios/emergncy.yaml").at(0);
+  EXPECT_EQ(misspelt.rfind("scenarios/emergncy.yaml: scenario emergncy does not exist, did you mean " + folder +
+                               "/emergency_stop.yaml?; in " + folder + " there are: emergency_stop, ",
+                           0),
+            0u)
+      << misspelt;
+  EXPECT_FALSE(fixtures::contains(faults({}, "scenarios/wagons.yaml").at(0), "did you mean"));
   const std::vector<std::string> lines = faults({}, "scenarios/paper_4d.yaml");
   ASSERT_EQ(lines.size(), 1u);
   for (const auto& entry : std::filesystem::directory_iterator(kConfig + "/scenarios"))
     EXPECT_TRUE(fixtures::contains(lines.front(), entry.path().stem().string())) << lines.front();
+  // What lies beside a scenario and is none is not offered as one.
+  std::filesystem::copy(path("config/trains/paper.yaml"), path("config/scenarios/paper_train.yaml"));
+  write("config/scenarios/broken.yaml", "a: [\n");
+  const std::string beside = faults({}, "scenarios/paper_train_1.yaml").at(0);
+  EXPECT_FALSE(fixtures::contains(beside, "paper_train,")) << beside;
+  EXPECT_FALSE(fixtures::contains(beside, "broken")) << beside;
+  // Who calls from the checkout need not say where scenarios are.
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(path(""));
+  const std::string bare = fixtures::joined(absent("emergncy.yaml"));
+  std::filesystem::current_path(here);
+  EXPECT_TRUE(fixtures::contains(bare, "did you mean config/scenarios/emergency_stop.yaml?")) << bare;
+  // Nor is what lies in a folder of other things.
+  EXPECT_TRUE(fixtures::contains(faults({}, "locomotives/bo_bo_8t.yaml").at(0), "there are none in "));
   const std::vector<std::string> nowhere = faults({}, "absent/paper_1d.yaml");
   ASSERT_EQ(nowhere.size(), 1u);
   EXPECT_TRUE(fixtures::contains(nowhere.front(), "scenario paper_1d does not exist; there are none in "));
@@ -80,7 +108,7 @@ TEST_F(ScenarioFaultTest, RefusesAMissingKey) {
 
 TEST_F(ScenarioFaultTest, RefusesAnIllTypedValue) {
   EXPECT_EQ(faultOf("vehicles/wagon_120t.yaml", "length_m: 15 ", "length_m: 15m "),
-            "vehicles/wagon_120t.yaml: length_m = 15m: must be a number > 0 and <= 100");
+            "vehicles/wagon_120t.yaml: length_m = 15m: must be a number > 0 and <= 100, without unit or other text");
 }
 
 TEST_F(ScenarioFaultTest, RefusesAnImpossibleValue) {
@@ -135,9 +163,10 @@ TEST_F(ScenarioFaultTest, RefusesTimesThatRoundToNoNanosecondAtAll) {
 }
 
 TEST_F(ScenarioFaultTest, RefusesAStepTooLongForTheTrainAndNamesTheLargest) {
-  // 3 x 460.09 kN on the paper's coupler between wagons of 120 t: friction alone allows 3.162 ms, with stiffness 3.154.
+  // 3 x 460.09 kN on the paper's coupler between wagons of 120 t: friction alone allows 3.162 ms, with
+  // stiffness 3.1537.
   const std::string fault = faultOf({{"steps.macro_step_s", "0.004"}});
-  EXPECT_TRUE(fixtures::contains(fault, "steps.macro_step_s = 0.004: must be below 0.003154 for this train")) << fault;
+  EXPECT_TRUE(fixtures::contains(fault, "steps.macro_step_s = 0.004: must be below 0.003153 for this train")) << fault;
   EXPECT_TRUE(fixtures::contains(fault, "vehicle 4 (wagon 120 t, 120 t) with a coupler force of 1.38 MN")) << fault;
 }
 
@@ -153,16 +182,28 @@ TEST_F(ScenarioFaultTest, RefusesATrainThatWouldStandBeyondTheTracksStart) {
   const std::vector<std::string> lines =
       faults({{"run.start_location_km", "1.6"}, {"output.section_boundaries_km", "[3.0, 4.5]"}});
   ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
-  EXPECT_TRUE(fixtures::contains(lines.front(), "run.start_location_km = 1.6: the train would stand from -0.0225 to"))
+  EXPECT_TRUE(fixtures::contains(lines.front(),
+                                 "run.start_location_km = 1.6: must be 1.6225 to 10 for this train: the train would "
+                                 "stand from -0.0225 to 1.6 km, the track is from 0 to 10 km"))
       << lines.front();
-  EXPECT_EQ(faults({{"run.start_location_km", "1.63"}}), std::vector<std::string>());
+  EXPECT_EQ(faults({{"run.start_location_km", "1.6225"}}), std::vector<std::string>());
+}
+
+TEST_F(ScenarioFaultTest, AStartOffTheTrackIsToldAloneAndWithThePlacesThatAreRight) {
+  const std::vector<std::string> metres = faults({{"run.start_location_km", "3000"}});
+  ASSERT_EQ(metres.size(), 1u) << fixtures::joined(metres);
+  EXPECT_TRUE(fixtures::contains(metres.front(), "run.start_location_km = 3000: must be 1.6225 to 10 for this train"));
+  const std::vector<std::string> lines = faults({{"train.groups.1.count", "700"}});
+  ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
+  EXPECT_TRUE(fixtures::contains(lines.front(), "the track is from 0 to 10 km: the train is longer than the track"))
+      << lines.front();
 }
 
 TEST_F(ScenarioFaultTest, RefusesAnEndBeyondTheTrackOrBehindTheStart) {
   EXPECT_TRUE(fixtures::anyHas({faultOf({{"run.end_location_km", "10.001"}})},
-                               {"run.end_location_km = 10.001: ", "beyond the track (track 0 to 10 km)"}));
+                               {"run.end_location_km = 10.001: must be at most 10, ", "beyond the track, 0 to 10 km"}));
   const auto lines = faults({{"run.end_location_km", "2.9"}});
-  EXPECT_TRUE(fixtures::anyHas(lines, {"run.end_location_km = 2.9", "must be ahead of start_location_km"}));
+  EXPECT_TRUE(fixtures::anyHas(lines, {"run.end_location_km = 2.9", "must be ahead of start_location_km = 3"}));
 }
 
 TEST_F(ScenarioFaultTest, RefusesAnEndAtWhichPushedWagonsWouldHaveLeftTheTrack) {
@@ -170,7 +211,8 @@ TEST_F(ScenarioFaultTest, RefusesAnEndAtWhichPushedWagonsWouldHaveLeftTheTrack) 
           "groups:\n  - {kind: wagon, count: 2, vehicle_file: ../vehicles/wagon_120t.yaml}\n");
   // The first wagon runs 15 + 18.5 m ahead of the leading locomotive.
   EXPECT_EQ(faults({{"run.end_location_km", "9.966"}}), std::vector<std::string>());
-  EXPECT_TRUE(fixtures::contains(faultOf({{"run.end_location_km", "9.967"}}), "run.end_location_km = 9.967: "));
+  EXPECT_TRUE(fixtures::contains(faultOf({{"run.end_location_km", "9.967"}}),
+                                 "run.end_location_km = 9.967: must be at most 9.9665, or"));
 }
 
 TEST_F(ScenarioFaultTest, RefusesANameThatNamesNoFile) {
@@ -179,9 +221,12 @@ TEST_F(ScenarioFaultTest, RefusesANameThatNamesNoFile) {
 }
 
 TEST_F(ScenarioFaultTest, RefusesReportLocationsThatFallOrLieOutsideTheRun) {
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[3.2, 3.15]"}}), "must rise"));
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[2.9, 3.15]"}}), "2.9 is not between"));
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.section_boundaries_km", "[3.0, 10.1]"}}), "10.1 is not between"));
+  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[3.2, 3.15]"}}),
+                                 "output.report_locations_km.1 = 3.15: must be ahead of the one before, 3.2"));
+  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[2.9, 3.15]"}}),
+                                 "output.report_locations_km.0 = 2.9: must be 3 to 10 km, from run.start_location_km"));
+  EXPECT_TRUE(fixtures::contains(faultOf({{"output.section_boundaries_km", "[3.0, 10.1]"}}),
+                                 "output.section_boundaries_km.1 = 10.1: must be 3 to 10 km"));
 }
 
 TEST_F(ScenarioFaultTest, RefusesAModelThatDoesNotExist) {
@@ -222,6 +267,12 @@ TEST_F(ScenarioFaultTest, TellsARunThatDoesNotFitItsTrackAndAStepThatIsTooLongBe
   EXPECT_TRUE(fixtures::anyHas(lines, {"steps.macro_step_s = 0.02", "must be below"}));
   EXPECT_TRUE(fixtures::anyHas(lines, {"run.end_location_km = 99"}));
   EXPECT_TRUE(fixtures::anyHas(lines, {"driver.groups.lead.follows = nobody"}));
+}
+
+TEST_F(ScenarioFaultTest, ATrainThatIsNotThereDoesNotAccuseItsDriver) {
+  const std::vector<std::string> lines = faults({{"train", "trains/paper.yaml"}});
+  ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
+  EXPECT_EQ(lines.front(), "--set: train = trains/paper.yaml: must be a map; a file is named by train_file");
 }
 
 TEST_F(ScenarioFaultTest, AFaultDoesNotAccuseWhatIsSoundBesideIt) {

@@ -170,6 +170,7 @@ CsvTable readRows(const std::vector<Line>& lines, const std::string& file, const
                   Problems& problems) {
   CsvTable table;
   table.columns = columns;
+  table.line_of_header = lines.front().number;
   const std::vector<std::string>& names = lines.front().cells;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::optional<std::vector<double>> cells = readRow(lines[i], names, columns, file, problems);

@@ -26,7 +26,8 @@ std::string nearestFile(const std::string& absent) {
   const std::filesystem::path path = absent;
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   std::error_code error;
-  if (!std::filesystem::is_directory(folder, error)) return ": there is no folder '" + folder.string() + "'";
+  if (!std::filesystem::is_directory(folder, error))
+    return ": there is no folder '" + folder.string() + "' (a path counts from the file that names it)";
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     if (entry.path().extension() == path.extension()) names.push_back(entry.path().filename().string());

@@ -6,6 +6,7 @@
 #include <locale>
 #include <sstream>
 
+#include "number_text.hpp"
 #include "rail_core/constants.hpp"
 
 namespace rail {
@@ -64,6 +65,8 @@ std::string messageNumber(double x, Rounding rounding) {
   const double unit = std::pow(10.0, magnitude - kDigits + 1);
   return trimmed(written(wholeUnits(x, unit, rounding) * unit, kDigits - 1, true));
 }
+
+std::string exactNumber(double x) { return withoutNegativeZero(formatNumber(x)); }
 
 std::string messageKilometres(double s_m, Rounding rounding) {
   return rounded(s_m / kMetresPerKilometre, kKilometreDecimals, rounding);

@@ -120,7 +120,8 @@ std::vector<std::string> nearestFirst(const std::string& word, std::vector<std::
 }
 
 bool isMisspeltBeginning(const std::string& word, const std::string& candidate) {
-  return editDistance(lowerCase(word), lowerCase(candidate)).beginning <= mostSlips(word.size());
+  const std::size_t slips = editDistance(lowerCase(word), lowerCase(candidate)).beginning;
+  return slips <= mostSlips(word.size()) && slips < word.size();  // of all letters: it is no beginning
 }
 
 }  // namespace rail

@@ -24,7 +24,8 @@ std::string contentOf(const std::string& line) {
   std::string content = line.substr(first);
   if (content.compare(0, 2, "- ") == 0) content = content.substr(2);
   if (content.front() == '#') return "";
-  return content.substr(0, content.find(" #"));
+  content = content.substr(0, content.find(" #"));
+  return content.substr(0, content.find_last_not_of(" \r") + 1);
 }
 
 bool isTabIndented(const std::string& line) {
@@ -42,19 +43,28 @@ bool lacksBlankBehindColon(const std::string& content) {
 /// `key: some text: more`, which must be quoted.
 bool hasColonInPlainText(const std::string& content) {
   const std::size_t colon = content.find(": ");
+  if (colon == std::string::npos || content.find_first_of("\"'{[") < colon) return false;  // the key is not plain
   const std::size_t value = colon == std::string::npos ? colon : content.find_first_not_of(' ', colon + 2);
   if (value == std::string::npos || std::string("\"'{[").find(content[value]) != std::string::npos) return false;
   return content.find(": ", value) != std::string::npos;
 }
 
+bool hasOpenBracket(const std::string& content) {
+  const auto count = [&content](char c) { return std::count(content.begin(), content.end(), c); };
+  return count('{') != count('}') || count('[') != count(']');
+}
+
 bool hasOpenQuote(const std::string& content) { return std::count(content.begin(), content.end(), '"') % 2 != 0; }
 
-std::string hintFor(const std::string& line) {
+/// @param flow  the parser was stuck between brackets
+std::string hintFor(const std::string& line, bool flow) {
   const std::string content = contentOf(line);
   if (isTabIndented(line)) return "is indented with a tab: must be indented with blanks";
   if (lacksBlankBehindColon(content)) return "lacks a blank behind the colon: '" + content + "'";
   if (hasColonInPlainText(content)) return "has a value with ': ' in it, which must stand in quotes";
   if (hasOpenQuote(content)) return "has a quote (\") that is not closed";
+  if (flow && hasOpenBracket(content)) return "has a bracket that is not closed";
+  if (content.find(':') == std::string::npos && content.find(" = ") != std::string::npos) return "has '=', must be ':'";
   return "";
 }
 
@@ -62,9 +72,10 @@ std::string hintFor(const std::string& line) {
 
 std::string yamlFault(const std::string& text, int line, const std::string& words) {
   const std::vector<std::string> lines = linesOf(text);
+  const bool flow = words.find("flow") != std::string::npos;
   const int last = std::min(line, static_cast<int>(lines.size()));
   for (int number = last; number >= std::max(1, last - 2); --number) {
-    const std::string hint = hintFor(lines[static_cast<std::size_t>(number - 1)]);
+    const std::string hint = hintFor(lines[static_cast<std::size_t>(number - 1)], flow);
     if (!hint.empty()) return "line " + std::to_string(number) + ": is not YAML: " + hint;
   }
   return "line " + std::to_string(line) + ": is not YAML: " + words +

@@ -33,6 +33,12 @@ TEST(MessageNumberTest, NothingIsANegativeZero) {
   EXPECT_EQ(messageKilometres(-0.01), "0");
 }
 
+TEST(MessageNumberTest, WhatIsToBeTypedHasAllDigits) {
+  EXPECT_EQ(rail::exactNumber(134000.25), "134000.25");
+  EXPECT_EQ(rail::exactNumber(0.1 + 0.2), "0.3");
+  EXPECT_EQ(rail::exactNumber(-0.0), "0");
+}
+
 TEST(MessageNumberTest, NoNumbersAreNamed) {
   EXPECT_EQ(messageNumber(std::nan("")), "nan");
   EXPECT_EQ(messageNumber(-INFINITY), "-inf");

@@ -62,6 +62,7 @@ TEST(NearestFirstTest, AMisspeltBeginningComesFirstThenFewestSlips) {
   EXPECT_TRUE(isMisspeltBeginning("emergncy", "emergency_stop"));
   EXPECT_FALSE(isMisspeltBeginning("emergncy", "paper_1d"));
   EXPECT_FALSE(isMisspeltBeginning("wagons", "paper_1d"));
+  EXPECT_FALSE(isMisspeltBeginning("x", "paper_1d"));
 }
 
 TEST(ProblemsTest, AProblemAddedTwiceStandsOnceButIsCountedTwice) {

@@ -23,7 +23,7 @@ TEST(YamlHintsTest, TabsAreNamed) {
 
 TEST(YamlHintsTest, AMissingBlankIsNamedInItsOwnLineThoughTheParserIsStuckInTheNext) {
   EXPECT_EQ(faults("a: 1\nend_time_s:600   # s\nb: 2\n"),
-            Lines{"f: line 2: is not YAML: lacks a blank behind the colon: 'end_time_s:600  '"});
+            Lines{"f: line 2: is not YAML: lacks a blank behind the colon: 'end_time_s:600'"});
   EXPECT_EQ(faults("run:\n  a: 1\n  end_time_s:600\n  b: 2\n"),
             Lines{"f: line 3: is not YAML: lacks a blank behind the colon: 'end_time_s:600'"});
 }
@@ -38,6 +38,12 @@ TEST(YamlHintsTest, QuotesThatAreNotClosedAreRefusedThoughTheParserLetsThemPass)
   EXPECT_EQ(faults("\xEF\xBB\xBFname: 'it''s\n"), Lines{"f: line 1: is not YAML: has a quote that is not closed"});
   EXPECT_EQ(faults("a: \"x\\\"\n"), Lines{"f: line 1: is not YAML: has a quote that is not closed"});
   EXPECT_EQ(faults("a: 'it''s'\nb: \"\\\"\"\nc: |\n  \"x\nd: it's\ne: \"z\xC3\xB6\" # it's\n"), Lines{});
+}
+
+TEST(YamlHintsTest, BracketsAndEqualSigns) {
+  EXPECT_EQ(faults("a:\n  - {k: 1, l: 2}\n  - {k: 1, l: 2\n"),
+            Lines{"f: line 3: is not YAML: has a bracket that is not closed"});
+  EXPECT_EQ(faults("a: 1\nlength_m = 14\nb: 2\n"), Lines{"f: line 2: is not YAML: has '=', must be ':'"});
 }
 
 TEST(YamlHintsTest, OtherwiseTheParsersWordsAndWhereToLook) {

@@ -48,6 +48,12 @@ TEST(YamlReaderFaultsTest, WhatIsNoNumber) {
   EXPECT_EQ(numberFaults("", positive()), Lines{"f.yaml: k: is empty: must be a number > 0"});
 }
 
+TEST(YamlReaderFaultsTest, RowsWithoutTheirOwnBracketsAreToldOnce) {
+  EXPECT_EQ(faults("notches: [0, 2]", [](YamlReader& reader) { reader.rows("notches", 2); }),
+            Lines{"f.yaml: notches = [...]: must be a list of lists of 2 numbers, in brackets of their own: [[...], "
+                  "[...]]"});
+}
+
 TEST(YamlReaderFaultsTest, APathInPlaceOfAMapIsToldTheKeyThatNamesFiles) {
   const auto read = [](YamlReader& reader) { reader.map("train"); };
   EXPECT_EQ(faults("train: trains/t.yaml", read),

@@ -158,7 +158,9 @@ class GraphTest(unittest.TestCase):
         self.graph.start([program("ltd_sim", "example_driver"), "_notches:=[[0, 1], [2, 9]]"])
         self.graph.wait_for_text(train, "the driver's answer to step 1000 was refused: notch = 9: must be 0 to 8")
         self.assertEqual(self.graph.wait_for_end(train), 1, self.graph.text(train))  # braked to a stand: he is silent
-        self.assertRegex(outcome_of(self.graph.out)["reason"], r"no answer within 1 s to the question of 2\.000 s")
+        outcome = outcome_of(self.graph.out)
+        self.assertRegex(outcome["reason"], r"no answer within 1 s to the question of 2\.000 s")
+        self.assertIn("driver: answer to the question of 2.000 s refused: notch = 9: must be 0 to 8", outcome["notes"])
 
     def test_a_locomotive_killed_in_the_run_and_started_again_leaves_the_bits_alone(self):
         train, locos = self.start_all(SHORT, hold="true")

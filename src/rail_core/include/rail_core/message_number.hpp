@@ -14,6 +14,9 @@ enum class Rounding { kNearest, kDown, kUp };
 /// With an exponent from 1e9 on and below 1e-4.
 std::string messageNumber(double x, Rounding rounding = Rounding::kNearest);
 
+/// Up to 15 digits, for a number that the reader is to type as it stands: a value that must be met, or a divisor.
+std::string exactNumber(double x);
+
 /// A place or length in km, to a tenth of a metre: 3.4585.
 std::string messageKilometres(double s_m, Rounding rounding = Rounding::kNearest);
 
