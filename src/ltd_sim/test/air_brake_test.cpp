@@ -23,7 +23,7 @@ TEST(AirBrakeTest, ATrainWithoutOneHasNoForceAndObeysOnlyTheReleasedBrake) {
   EXPECT_EQ(none.cylinderPressure(5, state), 0.0);
   EXPECT_EQ(none.pipePressure(5, state), 5e5);
   EXPECT_EQ(none.refuse(ltd::DriverCommand()), "");
-  EXPECT_TRUE(fixtures::contains(none.refuse(pipeAt(4.5)), "no air_brake"));
+  EXPECT_TRUE(fixtures::contains(none.refuse(pipeAt(4.5)), "or the scenario must have an air_brake: it has none"));
 }
 
 TEST(AirBrakeTest, ReleasedBrakeHasNoForce) {
