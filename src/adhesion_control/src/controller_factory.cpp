@@ -2,10 +2,10 @@
 
 #include <cassert>
 #include <optional>
-#include <sstream>
 
 #include "adhesion_control/lagged_controller.hpp"
 #include "adhesion_control/pass_through_controller.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace adhesion {
 
@@ -22,9 +22,8 @@ rail::Nanoseconds readSamplingPeriod(rail::YamlReader& reader, rail::Nanoseconds
   if (!period || (*period == 0 && period_s != 0.0)) {  // 1e-13 s would round to 0 and get another meaning
     reader.refuse("sampling_period_s", "must be a whole number of nanoseconds");
   } else if (micro_step > 0 && *period % micro_step != 0) {
-    std::ostringstream rule;
-    rule << "must be 0 (every micro step) or a whole multiple of the micro step, " << rail::toSeconds(micro_step);
-    reader.refuse("sampling_period_s", rule.str());
+    reader.refuse("sampling_period_s", "must be 0 (every micro step) or a whole multiple of the micro step, " +
+                                           rail::exactNumber(rail::toSeconds(micro_step)));
   }
   return period.value_or(0);
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace loco {
 
@@ -39,10 +39,8 @@ std::string findImplausible(const BodyLayout& layout, const BodyVector& q, const
     }
   }
   if (largest <= kLargest) return {};
-  char text[64];
-  std::snprintf(text, sizeof text, " is %.3g %s from its place", offsetOf(q, rest, body, dof),
-                dof < kRoll ? "m" : "rad");
-  return layout.bodies()[body].name + ": in " + nameOf(dof) + text;
+  return layout.bodies()[body].name + ": in " + nameOf(dof) + " is " +
+         rail::messageNumber(offsetOf(q, rest, body, dof)) + (dof < kRoll ? " m" : " rad") + " from its place";
 }
 
 }  // namespace

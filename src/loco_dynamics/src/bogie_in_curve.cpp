@@ -1,7 +1,8 @@
 #include "loco_dynamics/bogie_in_curve.hpp"
 
-#include <cstdio>
 #include <string>
+
+#include "rail_core/message_number.hpp"
 
 namespace loco {
 
@@ -12,20 +13,15 @@ constexpr double kFlangeDepth_m = 10e-3;  // below the taping line: where a flan
 struct Fit {
   double wheelbase_m, flange_play_m, smallest_m;
   std::string rule() const {
-    char text[192];
-    std::snprintf(text, sizeof text,
-                  "must be at least %.4g m: a bogie with a wheelbase of %.4g m, whose flanges have %.3g mm of play "
-                  "between the rails, fits into no tighter curve",
-                  smallest_m, wheelbase_m, 1e3 * flange_play_m);
-    return text;
+    return "must be at least " + rail::messageNumber(smallest_m, rail::Rounding::kUp) +
+           " m: a bogie with a wheelbase of " + rail::messageNumber(wheelbase_m) + " m, whose flanges have " +
+           rail::messageNumber(1e3 * flange_play_m) + " mm of play between the rails, fits into no tighter curve";
   }
 };
 
 void refuseCurves(rail::YamlReader reader, const Fit& fit, double tightest_m) {
   if (reader.has("table")) {
-    char text[64];
-    std::snprintf(text, sizeof text, "has a radius_m of %.4g, ", tightest_m);
-    reader.refuseKey("table", text + fit.rule());
+    reader.refuseKey("table", "has a radius_m of " + rail::messageNumber(tightest_m) + ", " + fit.rule());
     return;
   }
   for (rail::YamlReader& curve : reader.maps("curves"))

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "loco_dynamics/frame_forces.hpp"
 #include "loco_dynamics/loco_3d.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace loco {
 
@@ -23,10 +23,8 @@ void shareDeceleration(const BodyLayout& layout, BodyVector& loads) {
 }
 
 std::string placed(double location_m, double speed_mps) {
-  char text[96];
-  std::snprintf(text, sizeof text, "cannot start at %.6f km with %.6g m/s: ", location_m / rail::kMetresPerKilometre,
-                speed_mps);
-  return text;
+  return "cannot start at " + rail::fixedNumber(location_m / rail::kMetresPerKilometre, 6) + " km with " +
+         rail::messageNumber(speed_mps) + " m/s: ";
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "loco_dynamics/loco_3d.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace loco {
 
@@ -39,9 +39,8 @@ std::string nameUnbalanced(const BodyLayout& layout, const Flat& loads) {
   Eigen::Index worst = 0;
   const double left_N = 1e3 * loads.cwiseAbs().maxCoeff(&worst);
   if (left_N <= kBalance_N) return {};
-  char text[96];
-  std::snprintf(text, sizeof text, ": no equilibrium was found, %.3g N or N m are left on it", left_N);
-  return layout.bodies()[static_cast<std::size_t>(worst) / kDofs].name + text;
+  return layout.bodies()[static_cast<std::size_t>(worst) / kDofs].name + ": no equilibrium was found, " +
+         rail::messageNumber(left_N) + " N or N m are left on it";
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 #include "loco_dynamics/bogie_in_curve.hpp"
@@ -13,10 +12,14 @@
 #include "loco_dynamics/loco_3d.hpp"
 #include "loco_dynamics/profile/contact_search.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 #include "rail_core/track.hpp"
 #include "rail_core/vehicle.hpp"
 
 namespace loco {
+
+using rail::messageNumber;
+using rail::Rounding;
 
 namespace {
 
@@ -115,43 +118,40 @@ SpatialOptions readSpatialOptions(rail::YamlReader& root) {
 
 namespace {
 
-std::string format(const char* pattern, double a, double b = 0.0) {
-  char text[160];
-  std::snprintf(text, sizeof text, pattern, a, b);
-  return text;
-}
-
 /// What the files of a locomotive say of one and the same thing must agree, and it must be able to stand.
 void checkRelations(rail::YamlReader& reader, const rail::Vehicle& vehicle, const LocoDetails& details) {
   const LocoStructure& s = details.structure;
   const PlanarContact::Parameters& c = details.contact;
   rail::YamlReader bodies = reader.map("bodies"), contact = reader.map("contact");
   if (std::abs(s.totalMass() - vehicle.mass_kg) > 1e-9 * vehicle.mass_kg)
-    reader.refuse("mass_kg", format("must be the sum of the masses in `bodies`, %.10g kg", s.totalMass()));
+    reader.refuse("mass_kg", "must be the sum of the masses in `bodies`, " + rail::exactNumber(s.totalMass()) + " kg");
   if (vehicle.axles != static_cast<int>(BodyLayout::kAxles))
-    reader.refuse("axles", format("must be %g, as many as `bodies` has", static_cast<double>(BodyLayout::kAxles)));
+    reader.refuse("axles", "must be " + std::to_string(BodyLayout::kAxles) + ", as many as `bodies` has");
   if (std::abs(s.coupler_x_m - 0.5 * vehicle.length_m) > 1e-6)
-    bodies.map("coupler").refuse("x_m", format("must be half of length_m, %.10g m", 0.5 * vehicle.length_m));
+    bodies.map("coupler").refuse("x_m",
+                                 "must be half of length_m, " + rail::exactNumber(0.5 * vehicle.length_m) + " m");
   const Body& wheelset = s.bodies[BodyLayout::wheelset(0)];
   const double least_kg_m2 = 0.1 * wheelset.mass_kg * s.wheel_radius_m * s.wheel_radius_m;  // a set of thin axles
   if (wheelset.inertia_kg_m2.y() < least_kg_m2)
-    bodies.map("wheelsets").refuse("spin_inertia_kg_m2", format("must be at least m r^2/10, %.4g kg m2", least_kg_m2));
+    bodies.map("wheelsets")
+        .refuse("spin_inertia_kg_m2",
+                "must be at least m r^2/10, " + messageNumber(least_kg_m2, Rounding::kUp) + " kg m2");
   constexpr double kMostSag_m = 0.4;  // chosen: no suspension gives so much
   const double sag_m = s.computeStaticSag();
   if (!(sag_m <= kMostSag_m))
-    reader.refuse("bodies", format("is too soft: the car body would sink by %.3g m under its weight, at most %g may be",
-                                   sag_m, kMostSag_m));
+    reader.refuse("bodies", "is too soft: the car body would sink by " + messageNumber(sag_m) +
+                                " m under its weight, at most " + messageNumber(kMostSag_m) + " may be");
   const double G = c.elasticity.young_Pa / (2.0 * (1.0 + c.elasticity.poisson));
   if (std::abs(c.shear_modulus_Pa - G) > 0.05 * G)
     contact.refuse("shear_modulus_Pa",
-                   format("must be that of young_modulus_Pa and poisson_ratio, %.4g, within 5 %%", G));
+                   "must be that of young_modulus_Pa and poisson_ratio, " + messageNumber(G) + ", within 5 %");
   constexpr double kMostApproach_m = 0.5e-3;  // chosen: steel gives 0.1 mm
   const double wheel_N = s.totalMass() * rail::kGravity_mps2 / (2.0 * BodyLayout::kAxles);
   const double approach_m = PlanarContact::makeNormalContact(c).computeApproach(wheel_N);
   if (!(approach_m <= kMostApproach_m))
     contact.refuse(c.normal_law == NormalLaw::kLinear ? "linear_stiffness_N_per_m" : "young_modulus_Pa",
-                   format("is too soft: wheels would sink by %.3g m into the rail, at most %g may be", approach_m,
-                          kMostApproach_m));
+                   "is too soft: wheels would sink by " + messageNumber(approach_m) + " m into the rail, at most " +
+                       messageNumber(kMostApproach_m) + " may be");
 }
 
 }  // namespace
@@ -178,11 +178,9 @@ void checkController(rail::YamlReader& root, const adhesion::ControlParameters& 
   const double period_s = rail::toSeconds(std::max(control.pi.sampling_period, micro_step));
   const double loop = control.pi.pi.proportional_gain_N_m * r * period_s / (J * kCreepageSpeedFloor_mps);  // (A10)
   if (loop < 2.0) return;
-  root.map("control").refuse(
-      "proportional_gain_N_m",
-      format("swings up at low speed: K_p r T_s/(J 0.5 m/s) = %.3g must be below 2; lower the gain or the sampling "
-             "period",
-             loop));
+  root.map("control").refuse("proportional_gain_N_m",
+                             "swings up at low speed: K_p r T_s/(J 0.5 m/s) = " + messageNumber(loop) +
+                                 " must be below 2; lower the gain or the sampling period");
 }
 
 StepLimit computeMicroStepLimit(const LocoDetails& details) {
@@ -193,22 +191,14 @@ StepLimit computeMicroStepLimit(const LocoDetails& details) {
                                     {stiffness, details.contact.normal_damping_N_s_per_m}, {Branch::kStiffest, true}));
 }
 
-/// To four significant digits, never up: what a message says may be used, may be.
-double roundDown(double x) {
-  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 3.0);
-  return std::floor(x / unit) * unit;
-}
-
 void checkMicroStep(rail::YamlReader& root, const StepLimit& limit, const std::string& locomotive,
                     rail::Nanoseconds micro_step) {
   if (rail::toSeconds(micro_step) <= limit.largest_s()) return;
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "must be at most %.4g s for %s: mode \"%s\" at %.4g Hz, damping ratio %.2g, grows with steps beyond "
-                "%.4g s, of which %g may be used",
-                roundDown(limit.largest_s()), locomotive.c_str(), limit.mode.c_str(), limit.frequency_Hz, limit.damping,
-                limit.stable_s, kStepShare);
-  root.map("steps").refuse("micro_step_s", text);
+  root.map("steps").refuse(
+      "micro_step_s", "must be at most " + messageNumber(limit.largest_s(), Rounding::kDown) + " s for " + locomotive +
+                          ": mode \"" + limit.mode + "\" at " + messageNumber(limit.frequency_Hz) +
+                          " Hz, damping ratio " + messageNumber(limit.damping) + ", grows with steps beyond " +
+                          messageNumber(limit.stable_s) + " s, of which " + messageNumber(kStepShare) + " may be used");
 }
 
 }  // namespace

@@ -1,13 +1,14 @@
 #include "loco_dynamics/running_safety.hpp"
 
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace loco {
 
 namespace {
 
 std::string placed(const std::string& wheelset, const char* wheel, double location_m, const char* what) {
-  return wheelset + wheel + " at " + std::to_string(location_m / rail::kMetresPerKilometre) + " km: " + what;
+  return wheelset + wheel + " at " + rail::fixedNumber(location_m / rail::kMetresPerKilometre, 6) + " km: " + what;
 }
 
 }  // namespace

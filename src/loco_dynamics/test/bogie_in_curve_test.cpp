@@ -33,7 +33,7 @@ TEST(BogieInCurveTest, TheFlangesPlayIsTheGaugeLessTheDistanceOverTheFlanges) {
 TEST(BogieInCurveTest, ACurveWhoseChordNeedsMoreThanThePlayIsRefusedWithItsKeyAndTheSmallestRadius) {
   EXPECT_NEAR(loco::computeSmallestRadius_m(3.7, 10e-3), 3.7 * 3.7 / 0.08, 1e-9);
   EXPECT_EQ(faults({{"track.curves.0.radius_m", "160"}}),
-            std::vector<std::string>{"--set: track.curves.0.radius_m = 160: must be at least 171.1 m: a bogie with a "
+            std::vector<std::string>{"--set: track.curves.0.radius_m = 160: must be at least 171.2 m: a bogie with a "
                                      "wheelbase of 3.7 m, whose flanges have 10 mm of play between the rails, fits "
                                      "into no tighter curve"});
   EXPECT_EQ(faults({{"track.curves.0.radius_m", "172"}}), std::vector<std::string>());
@@ -55,7 +55,7 @@ TEST(BogieInCurveTest, ATablesCurveIsRefusedWithItsFile) {
   ASSERT_EQ(problems.lines().size(), 1u);
   const std::string line = problems.lines().front();
   EXPECT_EQ(line.substr(line.find("rolling_line.yaml")),
-            "rolling_line.yaml: table_file = rolling_line.csv: has a radius_m of 450, must be at least 1.711e+04 m: a "
+            "rolling_line.yaml: table_file = rolling_line.csv: has a radius_m of 450, must be at least 17113 m: a "
             "bogie with a wheelbase of 3.7 m, whose flanges have 0.1 mm of play between the rails, fits into no "
             "tighter curve");
 }

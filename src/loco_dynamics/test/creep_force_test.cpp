@@ -55,6 +55,17 @@ TEST(CreepForceTest, UnknownOptionsAndValuesAreRefused) {
   }
 }
 
+TEST(CreepForceTest, AFaultOfTheCommandLineSaysWhatThereIs) {
+  const std::string more = "\ncreep_force --help tells more\n";
+  EXPECT_EQ(run({"--methode", "polach"}, "").errors,
+            "creep_force: --methode: unknown option, did you mean '--method'?" + more);
+  EXPECT_EQ(run({"--verbose"}, "").errors,
+            "creep_force: --verbose: unknown option; there are: --method, --grid, --flexibility, --k-a, --k-s" + more);
+  EXPECT_EQ(run({"cases.csv"}, "").errors,
+            "creep_force: cases.csv: is no option: cases are read from standard input, creep_force < CASES.csv" + more);
+  EXPECT_EQ(run({"--method", "--grid", "4x4"}, "").errors, "creep_force: --method: needs a value after it" + more);
+}
+
 TEST(CreepForceTest, HelpIsNoError) {
   const Answer answer = run({"--help"}, "");
   EXPECT_EQ(answer.status, 0);

@@ -90,7 +90,7 @@ TEST(Loco3dStartTest, WhereNothingBalancesItSaysSo) {
   Loco3d::Parameters p = fixtures::paperParameters3d();
   p.finder = fixtures::finderOf(Jump{});
   EXPECT_EQ(failureAt(p, 5.0, 3000.0),
-            "cannot start at 3.000000 km with 5 m/s: wheelset 1: no equilibrium was found, 1.46e+05 N or N m are left "
+            "cannot start at 3.000000 km with 5 m/s: wheelset 1: no equilibrium was found, 145928 N or N m are left "
             "on it");
 }
 

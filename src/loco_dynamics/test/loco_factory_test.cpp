@@ -199,11 +199,11 @@ TEST(LocoFactoryTest, WhatNoLocomotiveCanBeIsRefusedWithItsKey) {
   const std::vector<std::array<std::string, 3>> cases = {
       {vehicle + "axles", "4", "must be 6, as many as `bodies` has"},
       {vehicle + "length_m", "5", "must be half of length_m, 2.5 m"},
-      {vehicle + "bodies.wheelsets.spin_inertia_kg_m2", "1.432", "must be at least m r^2/10, 96.77 kg m2"},
+      {vehicle + "bodies.wheelsets.spin_inertia_kg_m2", "1.432", "must be at least m r^2/10, 96.78 kg m2"},
       {vehicle + "bodies.primary.stiffness.vertical_N_per_m", "782", "is too soft: the car body would sink by 1"},
       {vehicle + "contact.shear_modulus_Pa", "82", "must be that of young_modulus_Pa and poisson_ratio, 8.203e+10"},
       {vehicle + "contact.young_modulus_Pa", "210", "is too soft: wheels would sink by"},
-      {"control.sampling_period_s", "0.02", "swings up at low speed: K_p r T_s/(J 0.5 m/s) = 2.24 must be below 2"},
+      {"control.sampling_period_s", "0.02", "swings up at low speed: K_p r T_s/(J 0.5 m/s) = 2.235 must be below 2"},
   };
   for (const auto& [key, value, rule] : cases) {
     const std::vector<std::string> lines = faultsOfThePapersLocomotive({{key, value}});

@@ -61,6 +61,10 @@ TEST(ProfileFaultsTest, MetresCentimetresAndInchesAreRefused) {
     EXPECT_TRUE(
         has(faults(ProfileKind::kRail, changed(loco::makeRailPoints("UIC60"), scale)), "are these millimetres?"));
   }
+  const auto metres = [](auto& point) { point.z_m *= 1e-3; };
+  EXPECT_EQ(faults(ProfileKind::kRail, changed(loco::makeRailPoints("UIC60"), metres)),
+            "own.csv: z_mm = spans 0.03: must span 14 to 60 mm: are these millimetres? metres would be right: multiply "
+            "them by 1000\n");
 }
 
 TEST(ProfileFaultsTest, UnorderedPointsAreNamedByLine) {
@@ -95,6 +99,24 @@ TEST(ProfileFaultsTest, WrongDirectionOfZIsRefused) {
   const auto turn = [](auto& point) { point.z_m = -point.z_m; };
   EXPECT_TRUE(has(faults(ProfileKind::kWheel, changed(wheel(), turn)), "z must point down"));
   EXPECT_TRUE(has(faults(ProfileKind::kRail, changed(loco::makeRailPoints("UIC60"), turn)), "z must point down"));
+}
+
+TEST(ProfileFaultsTest, AHeightFromAnotherPlaceIsToldWithWhatToDo) {
+  const auto from_foot = [](auto& point) { point.z_m = 0.172 - point.z_m; };
+  const std::string foot = faults(ProfileKind::kRail, changed(loco::makeRailPoints("UIC60"), from_foot));
+  EXPECT_TRUE(has(foot,
+                  "z_mm = 172: z must point down, so that the head's top has the least z, and this is the largest: "
+                  "if this is the top, write 172 - z for every z"))
+      << foot;
+  const auto lower = [](auto& point) { point.z_m += 0.5e-3; };
+  EXPECT_TRUE(has(faults(ProfileKind::kWheel, changed(loco::makeWheelPoints("S1002"), lower)), "it is 0.5"))
+      << faults(ProfileKind::kWheel, changed(loco::makeWheelPoints("S1002"), lower));
+  const auto aside = [](auto& point) { point.y_m += 2e-3; };
+  const std::string back = faults(ProfileKind::kWheel, changed(wheel(), aside));
+  EXPECT_TRUE(has(back, "which is 70 mm from it: add -2.5 to every y_mm")) << back;  // this wheel begins at -69.5
+  // of a rail its shape alone counts: the gauge and its highest point place it
+  const auto elsewhere = [](auto& point) { point = {point.y_m + 0.1, point.z_m + 0.005}; };
+  EXPECT_EQ(faults(ProfileKind::kRail, changed(loco::makeRailPoints("UIC60"), elsewhere)), "");
 }
 
 TEST(ProfileFaultsTest, SlipsOfThePenAreRefused) {

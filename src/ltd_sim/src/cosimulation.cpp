@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "rail_core/digest.hpp"
+#include "rail_core/message_number.hpp"
 #include "run_end.hpp"
 
 namespace ltd {
@@ -80,14 +81,23 @@ bool Cosimulation::takeCommand() {
     const std::string fault = scenario_.driver.give(*command, state_.driver);
     if (fault.empty()) return true;
     driver_port_->refuse(fault);
+    noteRefusal(fault);
   }
   if (!driver_port_->silent()) return false;
-  char text[160];
-  std::snprintf(text, sizeof text, "driver: no answer within %g s to the question of %.3f s at %s: the train brakes",
-                driver_port_->deadline_s(), rail::toSeconds(time()), kilometres(leadingLocation()).c_str());
-  silence_ = text;
+  silence_ = "driver: no answer within " + rail::messageNumber(driver_port_->deadline_s()) + " s to the question of " +
+             rail::fixedNumber(rail::toSeconds(time()), 3) + " s at " + kilometres(leadingLocation()) +
+             ": the train brakes";
   scenario_.driver.giveSilence(state_.driver);
   return true;
+}
+
+void Cosimulation::noteRefusal(const std::string& fault) {
+  constexpr std::size_t kMostRefusals = 10;  // chosen: whoever reads ten of them has understood
+  for (const std::string& told : refused_answers_)
+    if (told.find(fault) != std::string::npos) return;
+  if (refused_answers_.size() == kMostRefusals) return;
+  refused_answers_.push_back("driver: answer to the question of " + rail::fixedNumber(rail::toSeconds(time()), 3) +
+                             " s refused: " + fault);
 }
 
 bool Cosimulation::gatherAnswers() {
@@ -168,6 +178,7 @@ void Cosimulation::checkEnd() {
 
 std::vector<std::string> Cosimulation::notes() const {
   std::vector<std::string> told = scenario_.driver.notes(state_.driver);
+  told.insert(told.end(), refused_answers_.begin(), refused_answers_.end());
   if (!silence_.empty()) told.push_back(silence_);
   for (std::size_t i = 0; i < state_.supply.size(); ++i) {
     if (state_.store_empty_at[i] < 0) continue;

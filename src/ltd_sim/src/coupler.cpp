@@ -18,6 +18,9 @@ Coupler::Coupler(Parameters parameters) : parameters_(std::move(parameters)) {
   }
 }
 
+/// Chosen, as wide as the slack may be: no gear travels as far, millimetres given for metres are noticed.
+constexpr double kLongestTravel_m = 1.0;
+
 Coupler::Parameters Coupler::read(rail::YamlReader reader) {
   Parameters p;
   reader.text("name");
@@ -31,7 +34,7 @@ Coupler::Parameters Coupler::read(rail::YamlReader reader) {
     Parameters::Piece piece;
     piece.stiffness_N_per_m = pieces[i].number("stiffness_N_per_m", rail::positive());
     if (i + 1 < pieces.size()) {
-      piece.up_to_m = pieces[i].number("up_to_m", rail::above(last_m));
+      piece.up_to_m = pieces[i].number("up_to_m", rail::aboveUpTo(last_m, kLongestTravel_m));
       last_m = piece.up_to_m;
     } else if (pieces[i].has("up_to_m")) {
       pieces[i].number("up_to_m", rail::anyNumber());

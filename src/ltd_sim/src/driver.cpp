@@ -112,6 +112,7 @@ DriverCommand Driver::groupCommand(std::size_t group, rail::Nanoseconds t, const
   return command;
 }
 
+/// Fields have the names that they have in the message DriverCommand.
 std::string Driver::give(const DriverCommand& answer, State& state) const {
   std::string fault = refuseCommand(answer, largest_);
   if (fault.empty()) state.given = answer;

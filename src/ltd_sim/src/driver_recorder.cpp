@@ -4,6 +4,7 @@
 #include "ltd_sim/csv_file.hpp"
 #include "ltd_sim/driver_schedule.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 // A locomotive's event recorder as a driver.                                                                (V2)
 //
@@ -45,6 +46,23 @@ std::optional<Named> readOne(rail::YamlReader& columns, const std::vector<Meanin
     named = {name, meaning.to_si};
   }
   return named;
+}
+
+/// Refuses a column of pipe pressures that cannot have the unit that its key says. @return true if it cannot
+bool refusePipeUnit(const rail::CsvTable& csv, std::size_t column, double to_si, const std::string& file,
+                    rail::Problems& problems) {
+  // Chosen: a pipe that never has 0.2 bar is empty on the whole way, so that its train cannot have moved; the bars of
+  // any brake pipe, over vacuum too, are below 20, and so is what any brake's reservoir has.
+  constexpr double kLeast_kPa = 20.0, kMost_bar = 20.0;
+  double largest = 0.0;
+  for (const std::vector<double>& row : csv.rows) largest = std::max(largest, row[column]);
+  std::string rule;
+  if (to_si == kPipe_kPa.to_si && largest < kLeast_kPa)
+    rule = "must be >= 20 kPa: are these bar? then the key is pipe_bar";
+  else if (to_si == kPipeBar.to_si && largest > kMost_bar)
+    rule = "must be <= 5 bar: are these kPa? then the key is pipe_kPa";
+  if (!rule.empty()) problems.add(file, csv.columns[column], rail::messageNumber(largest), "the largest value " + rule);
+  return !rule.empty();
 }
 
 /// Of rows at one place only the last is kept; a row further back is refused with its line.
@@ -105,9 +123,11 @@ void DriverSchedule::takeRecording(rail::YamlReader& reader, const Recording& re
   std::size_t column = 1;
   for (std::size_t channel = 0; channel < kChannels; ++channel) {
     if (!recording.channels[channel]) continue;
+    const double to_si = recording.channels[channel]->to_si;
+    if (channel == kPipe && refusePipeUnit(csv, column, to_si, file, reader.problems())) return;
     sources[channel] = makeCsvSource(reader, "recording", csv, column++);
     sources[channel].from_to_si = recording.from->to_si;
-    sources[channel].value_to_si = recording.channels[channel]->to_si;
+    sources[channel].value_to_si = to_si;
   }
   takeAll(sources, largest);
   if (!recording.speed) return;

@@ -54,7 +54,7 @@ std::string DriverSchedule::valueRule(std::size_t channel, double value, const L
                  : "must be a whole brake notch from 0 to " + std::to_string(largest.brake_notch);
     case kPipe:
       if (!largest.air_brake && value < kChargedPipe_Pa) return "must be 5, " + std::string(kNoAirBrake);
-      return value >= 0.0 && value <= kChargedPipe_Pa ? "" : "must be 0 to 5 bar";
+      return value >= 0.0 && value <= kChargedPipe_Pa ? "" : "must be 0 to 5 bar (500 kPa)";
     case kIndependent:
       if (!largest.air_brake && value > 0.0) return "must be 0, " + std::string(kNoAirBrake);
       return value >= 0.0 && value <= 1.0 ? "" : "must be a share from 0 to 1";
@@ -68,8 +68,9 @@ DriverSource DriverSchedule::listSource(rail::YamlReader& reader, std::size_t ch
   const std::string key = listName(channel);
   DriverSource source;
   source.given = true;
+  const std::size_t before = reader.problems().count();
   source.rows = reader.rows(key, 2);
-  if (source.rows.empty() && reader.has(key))
+  if (source.rows.empty() && reader.problems().count() == before)
     reader.refuse(key, "must have at least one entry [from, " + std::string(columnName(channel)) + "]");
   source.refuse = [&reader, key](std::size_t row, std::size_t cell, const std::string& rule) {
     reader.refuse(key + "." + std::to_string(row) + "." + std::to_string(cell), rule);
@@ -84,6 +85,7 @@ void DriverSchedule::readTable(rail::YamlReader& reader, Sources& sources) const
   const rail::CsvTable csv =
       rail::readOpenCsv(reader.text("table"), file, over_time_ ? "time_s" : "location_km", reader.problems());
   if (reader.problems().count() != before) return;
+  const std::string header = "line " + std::to_string(csv.line_of_header);
   std::vector<std::string> known;
   for (std::size_t channel = 0; channel < kChannels; ++channel) known.push_back(columnName(channel));
   for (std::size_t j = 1; j < csv.columns.size(); ++j) {
@@ -94,11 +96,10 @@ void DriverSchedule::readTable(rail::YamlReader& reader, Sources& sources) const
     }
     const std::string near = rail::nearestWord(csv.columns[j], known);
     reader.problems().add(
-        file, "line 1",
+        file, header,
         "unknown column '" + csv.columns[j] + "'" + (near.empty() ? "" : ", did you mean '" + near + "'?"));
   }
-  if (csv.columns.size() < 2)
-    reader.problems().add(file, "line 1", "must have a column beside the first, such as notch");
+  if (csv.columns.size() < 2) reader.problems().add(file, header, "must have a column beside the first, such as notch");
 }
 
 void DriverSchedule::readLists(rail::YamlReader& reader, Sources& sources) const {

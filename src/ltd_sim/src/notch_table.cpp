@@ -15,7 +15,8 @@ void checkTable(const rail::CsvTable& table, const std::string& file, const Cell
     problems.add(file, "line " + std::to_string(table.line_of_row[row]) + ": " + table.columns[column],
                  allDigits(table.rows[row][column]), words);
   };
-  if (table.columns.size() < 2) problems.add(file, "line 1", "must have a column notch_1_N");
+  const std::string header = "line " + std::to_string(table.line_of_header);
+  if (table.columns.size() < 2) problems.add(file, header, "must have a column notch_1_N");
   if (table.rows.size() < 2) problems.add(file, "speed_kmph", "must have at least two rows");
   double largest_N = 0.0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -33,7 +34,8 @@ void checkTable(const rail::CsvTable& table, const std::string& file, const Cell
     problems.add(file, table.columns.back(), allDigits(largest_N), "the largest force must be from 1e3 to 1e7 N");
   for (std::size_t j = 1; j < table.columns.size(); ++j) {
     const std::string expected = "notch_" + std::to_string(j) + "_N";
-    if (table.columns[j] != expected) problems.add(file, "line 1: " + table.columns[j], "must be column " + expected);
+    if (table.columns[j] != expected)
+      problems.add(file, header + ": " + table.columns[j], "must be column " + expected);
   }
 }
 

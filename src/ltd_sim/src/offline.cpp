@@ -41,6 +41,8 @@ std::vector<Scenario> loadAll(const std::string& file, const std::vector<std::ve
 
 int runAll(const OfflineArguments& arguments, const BagFactory& bag_factory) {
   const std::vector<std::vector<rail::Override>> combinations = arguments.combinations();
+  std::printf("%s", arguments.announcement().c_str());
+  std::cerr << arguments.commaHints();
   const std::vector<Scenario> scenarios = loadAll(arguments.scenario, combinations);
   if (scenarios.size() == 1) {
     const RunResult run =

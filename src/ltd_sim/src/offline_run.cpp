@@ -9,6 +9,7 @@
 #include "ltd_sim/progress.hpp"
 #include "ltd_sim/run_outputs.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -49,9 +50,11 @@ void tell(const Scenario& scenario, const RunResult& run, const std::string& fol
   const rail::EnergyAccount& a = run.state.account;
   const double lead_v = run.state.v_mps[scenario.train.locomotives.front().vehicle];
   std::printf("%s: %s: %s\n", scenario.name.c_str(), toString(run.outcome.kind).c_str(), run.outcome.reason.c_str());
-  std::printf("  time %.3f s, speed %.3f km/h, traction at the rail %.3f kWh, residual of the account %.2g\n",
-              static_cast<double>(run.state.step) * rail::toSeconds(scenario.macro_step), lead_v * rail::kKmphPerMps,
-              a.traction_rail / rail::kJoulesPerKilowattHour, a.residualRelative());
+  std::printf("  time %.3f s, speed %s km/h, traction at the rail %s kWh, residual of the account %s\n",
+              static_cast<double>(run.state.step) * rail::toSeconds(scenario.macro_step),
+              rail::fixedNumber(lead_v * rail::kKmphPerMps, 3).c_str(),
+              rail::fixedNumber(a.traction_rail / rail::kJoulesPerKilowattHour, 3).c_str(),
+              rail::messageNumber(a.residualRelative()).c_str());
   for (const std::string& note : run.outcome.notes) std::printf("  note: %s\n", note.c_str());
   std::printf("  results in %s\n", folder.c_str());
 }

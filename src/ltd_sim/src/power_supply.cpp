@@ -4,7 +4,7 @@
 #include <cassert>
 #include <limits>
 
-#include "ltd_sim/csv_file.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -45,8 +45,9 @@ PowerSupply PowerSupply::read(rail::YamlReader reader, double full_rim_power_W) 
   const bool readable = reader.problems().count() == problems_before;
   const double served_W = supply.computeRimPower(supply.engine_.ratedPower() * supply.generator_efficiency_);
   if (readable && supply.kind_ == Kind::kDiesel && served_W < full_rim_power_W)
-    reader.refuse("engine.rated_power_W", "serves " + allDigits(served_W) + " W at the rim, must serve " +
-                                              allDigits(full_rim_power_W) + " W, the most that `traction` asks");
+    reader.refuse("engine.rated_power_W",
+                  "serves " + rail::messageNumber(served_W, rail::Rounding::kDown) + " W at the rim, must serve " +
+                      rail::messageNumber(full_rim_power_W, rail::Rounding::kUp) + " W, the most that `traction` asks");
   reader.finish();
   return supply;
 }

@@ -1,10 +1,10 @@
 #include "ltd_sim/progress.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -15,16 +15,11 @@ constexpr double kHeld_s =
 }  // namespace
 
 std::string toString(const Progress& p) {
-  char text[160];
-  const int n = std::snprintf(text, sizeof text, "%.3f km  %.1f s  %.1f km/h  notch %d  %.3g x real time",
-                              p.location_m / rail::kMetresPerKilometre, p.time_s, p.speed_mps * rail::kKmphPerMps,
-                              p.notch, p.real_time_factor);
-  std::string line(text, static_cast<std::size_t>(std::max(n, 0)));
-  if (p.time_left_s >= 0.0) {
-    std::snprintf(text, sizeof text, "  %.0f s left", p.time_left_s);
-    line += text;
-  }
-  return line;
+  using rail::fixedNumber;
+  return fixedNumber(p.location_m / rail::kMetresPerKilometre, 3) + " km  " + fixedNumber(p.time_s, 1) + " s  " +
+         fixedNumber(p.speed_mps * rail::kKmphPerMps, 1) + " km/h  notch " + std::to_string(p.notch) + "  " +
+         rail::messageNumber(p.real_time_factor) + " x real time" +
+         (p.time_left_s >= 0.0 ? "  " + fixedNumber(p.time_left_s, 0) + " s left" : "");
 }
 
 ProgressMeter::ProgressMeter(const Scenario& scenario, double interval_s, Report report)

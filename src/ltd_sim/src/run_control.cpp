@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <string>
 
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -14,11 +15,8 @@ constexpr double kLargestCount = 1e15;  // of steps and nanoseconds times 1e3: f
 
 constexpr double kLongestLag_s = 0.1;  // of wall time that a paced run may catch up: what was waited for is not
 
-std::string format(const char* pattern, double value) {
-  char text[160];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
+std::string seconds(double s) { return rail::fixedNumber(s, 3) + " s"; }
+std::string kilometres(double s_m) { return rail::fixedNumber(s_m / rail::kMetresPerKilometre, 3) + " km"; }
 
 }  // namespace
 
@@ -36,7 +34,8 @@ RunControl::Reply RunControl::request(const std::string& command, double value, 
     if (!std::isfinite(value) || value < 0.0) return {false, "PACE: value must be times real time >= 0 (0: no limit)"};
     pace_ = value;
     restartPace(now, wall_s);
-    return {true, value > 0.0 ? format("runs at %g times real time at most", value) : "runs as fast as it goes"};
+    return {true, value > 0.0 ? "runs at " + rail::messageNumber(value) + " times real time at most"
+                              : "runs as fast as it goes"};
   }
   const Reply reply = setTarget(command, value, now);
   if (reply.accepted) restartPace(now, wall_s);
@@ -57,25 +56,23 @@ RunControl::Reply RunControl::setTarget(const std::string& command, double value
   }
   if (command == "RUN_UNTIL_TIME") {
     if (!(value > rail::toSeconds(now.time) && value * 1e9 <= kLargestCount * 1e3))
-      return {false, format("RUN_UNTIL_TIME: value must be a time [s] after now, %.3f s", rail::toSeconds(now.time))};
+      return {false, "RUN_UNTIL_TIME: value must be a time [s] after now, " + seconds(rail::toSeconds(now.time))};
     if (value > rail::toSeconds(now.end_time))
-      return {false,
-              format("RUN_UNTIL_TIME: value is after the scenario's end, %.3f s", rail::toSeconds(now.end_time))};
+      return {false, "RUN_UNTIL_TIME: value is after the scenario's end, " + seconds(rail::toSeconds(now.end_time))};
     mode_ = Mode::kUntilTime;
     until_time_ = static_cast<rail::Nanoseconds>(std::llround(value * 1e9));
-    return {true, format("runs until %g s, then holds", value)};
+    return {true, "runs until " + rail::exactNumber(value) + " s, then holds"};
   }
   if (command == "RUN_UNTIL_PLACE") {
     const double location_m = value * rail::kMetresPerKilometre;
     if (!std::isfinite(value) || location_m <= now.location_m)
-      return {false, format("RUN_UNTIL_PLACE: value must be a place [km] ahead of the leading locomotive at %.3f km",
-                            now.location_m / rail::kMetresPerKilometre)};
+      return {false, "RUN_UNTIL_PLACE: value must be a place [km] ahead of the leading locomotive at " +
+                         kilometres(now.location_m)};
     if (location_m > now.end_location_m)
-      return {false, format("RUN_UNTIL_PLACE: value is beyond the scenario's end, %.3f km",
-                            now.end_location_m / rail::kMetresPerKilometre)};
+      return {false, "RUN_UNTIL_PLACE: value is beyond the scenario's end, " + kilometres(now.end_location_m)};
     mode_ = Mode::kUntilPlace;
     until_place_m_ = location_m;
-    return {true, format("runs until the leading locomotive is at %g km, then holds", value)};
+    return {true, "runs until the leading locomotive is at " + rail::exactNumber(value) + " km, then holds"};
   }
   return {false, "unknown command '" + command +
                      "': must be one of HOLD, RUN, STEP, RUN_UNTIL_TIME, RUN_UNTIL_PLACE, PACE, STOP"};

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -38,9 +39,7 @@ bool stands(const RunLimits& run, double speed_mps, rail::Nanoseconds t, bool si
 }
 
 std::string endTime(rail::Nanoseconds end_time) {
-  char text[48];
-  std::snprintf(text, sizeof text, "reached the end time %g s", rail::toSeconds(end_time));
-  return text;
+  return "reached the end time " + rail::messageNumber(rail::toSeconds(end_time)) + " s";
 }
 
 std::string runaway(double location_m, double speed_mps, double limit_mps) {
@@ -53,11 +52,7 @@ std::string runaway(double location_m, double speed_mps, double limit_mps) {
 
 }  // namespace
 
-std::string kilometres(double s_m) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f km", s_m / rail::kMetresPerKilometre);
-  return text;
-}
+std::string kilometres(double s_m) { return rail::fixedNumber(s_m / rail::kMetresPerKilometre, 3) + " km"; }
 
 std::optional<Ending> findEnding(const Scenario& scenario, const TrainDynamics& dynamics, const TrainForces& forces,
                                  const std::string& silence, TrainState& state) {

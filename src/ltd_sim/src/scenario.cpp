@@ -6,6 +6,7 @@
 #include "scenario_checks.hpp"
 #include "scenario_limits.hpp"
 #include "scenario_names.hpp"
+#include "scenario_places.hpp"
 
 namespace ltd {
 
@@ -93,12 +94,19 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   // Sand does nothing in 1D either, but a driver may be shared with models in which it does.
   const bool sand = !model_known || !train_known || !anyHasContacts(scenario.train) || root.has("sanded_adhesion");
   if (root.has("air_brake")) scenario.air_brake = AirBrake::read(root.map("air_brake"), scenario.train);
-  scenario.driver =
-      readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track, scenario.air_brake, sand);
-  const Bounds bounds{run_known && track_known, scenario.run.start_location_m, scenario.track.end_m()};
+  if (scenario.train.notch_groups.empty())
+    root.ignore("driver");  // whoever drives cannot be judged without anything to drive
+  else
+    scenario.driver =
+        readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track, scenario.air_brake, sand);
+  const Bounds track{track_known, scenario.track.start_m(), scenario.track.end_m()};
+  const double start_m = scenario.run.start_location_m;
+  const bool on_track = run_known && track_known && start_m >= track.from_m && start_m <= track.to_m;
+  const Bounds bounds{on_track, start_m, track.to_m};
   scenario.output = readOutput(root.map("output"), bounds, scenario.macro_step, step_known);
   root.finish();
   if (sections_known && track_known) checkRailSections(root, sections, scenario.track);
+  if (run_known) checkEndIsAhead(root, scenario.run, track);
   if (train_known && run_known && track_known) checkPlaces(root, scenario);
   if (train_known && step_known) checkStep(root, scenario);
   if (problems.empty()) checkLocomotives(scenario, problems);

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "rail_core/constants.hpp"
-#include "scenario_words.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -14,23 +14,6 @@ rail::Nanoseconds readTime(rail::YamlReader& reader, const std::string& key, con
   if (t && *t > 0) return *t;
   reader.refuse(key, "must be a whole number of nanoseconds, at least one");
   return 1;
-}
-
-/// Places beyond the end of the run are allowed, so that a run may be shortened without touching them.
-std::vector<double> readLocations(rail::YamlReader& reader, const std::string& key, const Bounds& bounds) {
-  std::vector<double> locations_m;
-  const bool known = isSound(reader.problems(), [&] {
-    for (const double km : reader.numbers(key, rail::anyNumber()))
-      locations_m.push_back(km * rail::kMetresPerKilometre);
-  });
-  if (!known) return locations_m;
-  for (std::size_t i = 0; i < locations_m.size(); ++i) {
-    if (i > 0 && locations_m[i] <= locations_m[i - 1]) reader.refuse(key, "must rise");
-    if (bounds.known && (locations_m[i] < bounds.from_m || locations_m[i] > bounds.to_m))
-      reader.refuse(key, format(locations_m[i] / rail::kMetresPerKilometre) +
-                             " is not between run.start_location_km and the end of the track");
-  }
-  return locations_m;
 }
 
 rail::Nanoseconds readInterval(rail::YamlReader& reader, const std::string& key, rail::Nanoseconds macro_step,
@@ -46,10 +29,8 @@ rail::Nanoseconds readInterval(rail::YamlReader& reader, const std::string& key,
 
 RunLimits readRun(rail::YamlReader reader) {
   RunLimits run;
-  const bool places_known = isSound(reader.problems(), [&] {
-    run.start_location_m = reader.number("start_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
-    run.end_location_m = reader.number("end_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
-  });
+  run.start_location_m = reader.number("start_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
+  run.end_location_m = reader.number("end_location_km", rail::anyNumber()) * rail::kMetresPerKilometre;
   run.start_speed_mps = reader.number("start_speed_kmph", rail::between(0.0, 400.0)) / rail::kKmphPerMps;
   run.end_time = readTime(reader, "end_time_s", rail::aboveUpTo(0.0, 1e6));
   rail::YamlReader stall = reader.map("stall");
@@ -60,8 +41,6 @@ RunLimits readRun(rail::YamlReader reader) {
     run.standstill_time = readTime(reader, "end_at_standstill_s", rail::aboveUpTo(0.0, 1e5));
   if (reader.has("runaway_above_limit_kmph"))
     run.runaway_margin_mps = reader.number("runaway_above_limit_kmph", rail::between(0.0, 400.0)) / rail::kKmphPerMps;
-  if (places_known && run.end_location_m <= run.start_location_m)
-    reader.refuse("end_location_km", "must be ahead of start_location_km");
   reader.finish();
   return run;
 }
@@ -72,8 +51,8 @@ void readSteps(rail::YamlReader reader, Scenario& scenario) {
     scenario.micro_step = readTime(reader, "micro_step_s", rail::aboveUpTo(0.0, 1.0));
   });
   if (known && scenario.macro_step % scenario.micro_step != 0)
-    reader.refuse("macro_step_s",
-                  "must be a whole multiple of micro_step_s = " + format(rail::toSeconds(scenario.micro_step)));
+    reader.refuse("macro_step_s", "must be a whole multiple of micro_step_s = " +
+                                      rail::exactNumber(rail::toSeconds(scenario.micro_step)));
   reader.finish();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ltd_sim/scenario.hpp"
+#include "scenario_places.hpp"
 
 namespace ltd {
 
@@ -12,12 +13,6 @@ bool isSound(const rail::Problems& problems, Read read) {
   read();
   return problems.count() == before;
 }
-
-/// Where places may lie, if that is known.
-struct Bounds {
-  bool known = false;
-  double from_m = 0.0, to_m = 0.0;
-};
 
 RunLimits readRun(rail::YamlReader reader);
 void readSteps(rail::YamlReader reader, Scenario& scenario);

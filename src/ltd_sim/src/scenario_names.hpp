@@ -6,8 +6,8 @@
 
 namespace ltd {
 
-/// Adds a problem if there is no file `path`, naming the scenarios in its folder: a mistyped `model:=4d` of a launch
-/// is answered with what there is. A scenario is a .yaml file; the names are sorted.
+/// Adds a problem if there is no file `path`, naming the scenarios in its folder or, if it has none, in
+/// config/scenarios: a mistyped name or `model:=4d` of a launch is answered with what there is, the likeliest first.
 void checkScenarioExists(const std::string& path, rail::Problems& problems);
 
 }  // namespace ltd

@@ -120,8 +120,6 @@ class Sweep {
 
 int runSweep(const OfflineArguments& arguments, const std::vector<std::vector<rail::Override>>& combinations,
              const std::vector<Scenario>& scenarios, const BagFactory& bag_factory) {
-  std::printf("%zu runs, one for each combination of the values given to --set (a comma separates values)\n",
-              scenarios.size());
   makeDirectories(arguments.out);
   const int status = Sweep(arguments, combinations, scenarios, bag_factory).run();
   std::printf("a row for each run in %s/sweep.csv\n", arguments.out.c_str());

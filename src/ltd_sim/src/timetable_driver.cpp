@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -28,13 +28,7 @@ constexpr double kStanding_mps = 0.05;
 constexpr double kStopTolerance_m = 20.0;  // chosen: nearer to the stop he does not move up
 constexpr double kSlope_m = 1.0;           // chosen: distance over which a braking curve's slope is taken
 
-std::string text(const char* format, double a, double b) {
-  char line[120];
-  std::snprintf(line, sizeof line, format, a, b);
-  return line;
-}
-
-double toKm(double s_m) { return s_m / rail::kMetresPerKilometre; }
+std::string kilometres(double s_m) { return rail::fixedNumber(s_m / rail::kMetresPerKilometre, 3) + " km"; }
 
 }  // namespace
 
@@ -71,7 +65,8 @@ void TimetableDriver::passPoints(const DriverView& view, State& state) const {
       continue;
     }
     if (left_m < -kStopTolerance_m)
-      state.notes.push_back(text("timetable: stop at %.3f km overrun by %.0f m", toKm(point->location_m), -left_m));
+      state.notes.push_back("timetable: stop at " + kilometres(point->location_m) + " overrun by " +
+                            rail::fixedNumber(-left_m, 0) + " m");
     state.waiting = true;
     state.departure = std::numeric_limits<rail::Nanoseconds>::max();
     if (point->dwell_s) state.departure = view.t + static_cast<rail::Nanoseconds>(std::llround(*point->dwell_s * 1e9));
@@ -88,7 +83,8 @@ void TimetableDriver::noteArrival(const Point& point, const DriverView& view, St
   if (!point.time_s) return;
   const double late_s = rail::toSeconds(view.t) - *point.time_s;
   if (late_s > late_tolerance_s_)
-    state.notes.push_back(text("timetable: %.3f km reached %.0f s late", toKm(point.location_m), late_s));
+    state.notes.push_back("timetable: " + kilometres(point.location_m) + " reached " + rail::fixedNumber(late_s, 0) +
+                          " s late");
 }
 
 /// The slowest cruising speed that still meets the next time; the line's fastest if none does or none is asked. (V6)

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "ltd_sim/csv_file.hpp"
 #include "ltd_sim/timetable_driver.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -71,7 +71,7 @@ void TimetableDriver::readLine(rail::YamlReader& reader, const rail::Track& trac
   if (ability_.full_service_N && ability_.first_reduction_Pa > DriverControls::kFirstReduction_Pa)
     reader.refuse("kind",
                   "applies the air brake and holds at stops with 0.5 bar: air_brake.valve.first_reduction_bar " +
-                      allDigits(ability_.first_reduction_Pa / kPascalsPerBar) + " must not be larger");
+                      rail::messageNumber(ability_.first_reduction_Pa / kPascalsPerBar) + " must not be larger");
   double least_N = ability_.full_service_N ? ability_.full_service_N(0.0) : 0.0;
   for (double v = 0.0; v <= line_.largestSpeed() && least_N > 0.0; v += 1.0)
     least_N = std::min(least_N, ability_.full_service_N(v));
@@ -80,7 +80,7 @@ void TimetableDriver::readLine(rail::YamlReader& reader, const rail::Track& trac
   if (deceleration_mps2_ > brakes_mps2)
     reader.refuse("service_deceleration_mps2",
                   "must not be above what full service gives on the line's steepest descent, " +
-                      allDigits(brakes_mps2) + " m/s2");
+                      rail::messageNumber(brakes_mps2, rail::Rounding::kDown) + " m/s2");
 }
 
 TimetableDriver TimetableDriver::read(rail::YamlReader& reader, const rail::Track& track, const TrainAbility& ability) {

@@ -171,6 +171,8 @@ TEST(CouplerReadTest, RefusesWhatNoCouplerCanBe) {
   expectFault(text("{up_to_m: 0.03, stiffness_N_per_m: 4.0e6}, {up_to_m: 0.02, stiffness_N_per_m: 4.0e6}, "
                    "{stiffness_N_per_m: 4.0e6}"),
               {"loading.1.up_to_m = 0.02", "> 0.03"});
+  expectFault(text("{up_to_m: 50, stiffness_N_per_m: 4.0e6}, {stiffness_N_per_m: 30.0e6}"),
+              {"loading.0.up_to_m = 50", "> 0 and <= 1"});
   expectFault(text("{stiffness_N_per_m: 4.0e6}, {stiffness_N_per_m: 30.0e6}"), {"loading.0.up_to_m", "is missing"});
   expectFault(text("{stiffness_N_per_m: -4.0e6}"), {"loading.0.stiffness_N_per_m = -4.0e6", "> 0"});
   expectFault(text(kGoodLoading, "unloading_ratio: 0"), {"unloading_ratio = 0", "> 0"});

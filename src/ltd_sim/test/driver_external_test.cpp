@@ -49,34 +49,38 @@ TEST(DriverExternalTest, ARefusedAnswerIsNamedAndChangesNothing) {
   EXPECT_EQ(refusal({9, 0, 5.0e5, 0.0, false, false}), "notch = 9: must be 0 to 8");
   EXPECT_EQ(refusal({0, -1, 5.0e5, 0.0, false, false}), "brake_notch = -1: must be 0 to 8");
   EXPECT_EQ(refusal({1, 1, 5.0e5, 0.0, false, false}), "brake_notch = 1: must be 0 beside a notch: never both at once");
-  EXPECT_TRUE(fixtures::contains(refusal({0, 0, std::nan(""), 0.0, false, false}), "pipe_pressure_Pa = nan"));
-  EXPECT_TRUE(fixtures::contains(refusal({0, 0, 6.0e5, 0.0, false, false}), "pipe_pressure_Pa"));
-  EXPECT_TRUE(fixtures::contains(refusal({0, 0, 5.0e5, 1.5, false, false}), "independent_brake"));
+  EXPECT_TRUE(fixtures::contains(refusal({0, 0, std::nan(""), 0.0, false, false}),
+                                 "pipe_pressure = nan: must be 0 to 500000 Pa"));
+  EXPECT_TRUE(fixtures::contains(refusal({0, 0, 6.0e5, 0.0, false, false}), "pipe_pressure = 600000: "));
+  EXPECT_TRUE(fixtures::contains(refusal({0, 0, 5.0e5, 1.5, false, false}), "independent_brake = 1.5: must be 0 to 1"));
   EXPECT_TRUE(state.given == DriverCommand{});
 }
 
 /// Answers notch 1 to the first questions and then nothing.
 class MutePort : public ltd::DriverPort {
  public:
-  explicit MutePort(int answers) : answers_(answers) {}
+  explicit MutePort(int answers, double pipe_Pa = ltd::kChargedPipe_Pa) : answers_(answers) {
+    command_.pipe_pressure_Pa = pipe_Pa;
+  }
   void ask(std::uint64_t, const ltd::DriverView&) override { ++asked_; }
-  const DriverCommand* answer() override { return asked_ <= answers_ ? &command_ : nullptr; }
-  void refuse(const std::string&) override {}
+  const DriverCommand* answer() override { return asked_ <= answers_ && refused_.empty() ? &command_ : nullptr; }
+  void refuse(const std::string& why) override { refused_ = why; }
   double deadline_s() const override { return asked_ > 1 ? 3.0 : 60.0; }
   bool silent() override { return true; }
 
  private:
   int answers_, asked_ = 0;
+  std::string refused_;
   DriverCommand command_{1, 0, ltd::kChargedPipe_Pa, 0.0, false, false};
 };
 
-std::vector<std::string> notesOfASilentDriver(int answers) {
+std::vector<std::string> notesOfASilentDriver(int answers, double pipe_Pa = ltd::kChargedPipe_Pa) {
   ltd::Scenario scenario = fixtures::makeScenario(
       fixtures::makeTrain({fixtures::paperLoco(), fixtures::paperWagon()}, {0}, fixtures::draftGear()),
       fixtures::makeTrack(), drivers::read(kExternal));
   scenario.run.end_time = 2 * kSecond;
   fixtures::Fleet fleet(scenario);
-  MutePort port(answers);
+  MutePort port(answers, pipe_Pa);
   ltd::Cosimulation cosimulation(scenario, fleet.ports, {}, &port);
   fixtures::runToEnd(cosimulation);
   EXPECT_EQ(cosimulation.state().driver.lead.notch, 0);
@@ -90,6 +94,15 @@ TEST(DriverExternalTest, OfASilentDriverTheQuestionIsToldAndTheDeadlineThatHeldF
   ASSERT_EQ(later.size(), 1u);
   EXPECT_TRUE(fixtures::contains(never[0], "no answer within 60 s to the question of 0.000 s")) << never[0];
   EXPECT_TRUE(fixtures::contains(later[0], "no answer within 3 s to the question of 1.000 s")) << later[0];
+}
+
+TEST(DriverExternalTest, ARefusedAnswerIsNotedWithItsFieldInTheOutcome) {
+  const std::vector<std::string> notes = notesOfASilentDriver(3, 5.0);
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_EQ(notes[0],
+            "driver: answer to the question of 0.000 s refused: pipe_pressure = 5: must be 500000 Pa, or the scenario "
+            "must have an air_brake: it has none");
+  EXPECT_TRUE(fixtures::contains(notes[1], "no answer within ")) << notes[1];
 }
 
 TEST(DriverExternalReadTest, RefusesAPeriodThatIsNoMultipleOfTheMacroStepAndOtherFaults) {

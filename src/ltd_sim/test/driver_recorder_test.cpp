@@ -61,6 +61,23 @@ TEST(DriverRecorderReadTest, RefusesABadRecordingWithTheLineNumber) {
   expectFault(time + table("recording", {"t,n", "0,1", "0,2"}), {"line 3: t = 0", "after the entry before"});
 }
 
+/// Bars read as kilopascals would be a pipe all but empty: the train would brake from the start, and nobody be told
+/// why.
+TEST(DriverRecorderReadTest, RefusesAPipeInAnotherUnitOnce) {
+  const auto pipe = [](const std::string& key, const std::vector<std::string>& lines) {
+    return "kind: recorder\nover: time\ncolumns: {time_s: t, " + key + ": p}\n" + table("recording", lines);
+  };
+  expectFault(pipe("pipe_kPa", {"t,p", "0,5.0", "10,3.6", "20,0"}),
+              {"p = 5: the largest value must be >= 20 kPa: are these bar? then the key is pipe_bar"});
+  expectFault(pipe("pipe_kPa", {"t,p", "0,0", "10,0"}), {"p = 0: the largest value must be >= 20 kPa"});
+  expectFault(pipe("pipe_bar", {"t,p", "0,500", "10,360"}),
+              {"p = 500: the largest value must be <= 5 bar: are these kPa? then the key is pipe_kPa"});
+  // A vented pipe may follow a charged one, and half a bar is one.
+  const ltd::Driver vented = read(pipe("pipe_kPa", {"t,p", "0,500", "10,0", "20,3"}));
+  EXPECT_EQ(commandAt(vented, 15.0).pipe_pressure_Pa, 0.0);
+  EXPECT_EQ(commandAt(read(pipe("pipe_kPa", {"t,p", "0,20"})), 1.0).pipe_pressure_Pa, 2.0e4);
+}
+
 TEST(DriverRecorderReadTest, RefusesColumnsThatDoNotMakeADriver) {
   const std::string begin = "kind: recorder\nover: place\n";
   const std::string rest = table("recording", {"km,notch", "12,1"});

@@ -78,6 +78,7 @@ TEST(DriverScheduleReadTest, RefusesABadTableWithTheLineNumber) {
   expectFault(begin + table("table", {"time_s,notch,brake_notsh", "0,1,5"}),
               {"line 1", "unknown column 'brake_notsh', did you mean 'brake_notch'"});
   expectFault(begin + table("table", {"location_km,notch", "0,1"}), {"line 1", "must be 'time_s'"});
+  expectFault(begin + table("table", {"# a comment", "time_s,brake_notsh", "0,1"}), {"line 2", "brake_notsh"});
   expectFault(begin + table("table", {"time_s", "0"}), {"line 1", "must have a column beside the first"});
   expectFault(begin + table("table", {"time_s,notch", "0,1"}) + "sanding: [[0, 1]]\n", {"sanding", "beside table"});
   expectFault(begin + table("table", {"time_s,notch", "0,1"}) + table("notches_table", {"time_s,notch", "0,1"}),

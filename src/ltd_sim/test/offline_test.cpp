@@ -1,5 +1,6 @@
 #include "ltd_sim/offline.hpp"
 
+#include "ltd_sim/progress.hpp"
 #include "offline_arguments.hpp"
 #include "scratch_directory.hpp"
 #include "train_fixtures.hpp"
@@ -37,13 +38,44 @@ TEST(OfflineArgumentsTest, TellsWhatIsWrong) {
   EXPECT_EQ(fault({"s.yaml", "--set"}), "--set: needs a value after it");
   EXPECT_EQ(fault({"s.yaml", "--out", "d", "--set", "a"}), "--set a: must read key=value");
   EXPECT_EQ(fault({"s.yaml", "--out", "d", "--set", "=1"}), "--set =1: must read key=value");
-  EXPECT_EQ(fault({"s.yaml", "--outt", "d"}), "--outt: unknown option");
+  EXPECT_EQ(fault({"s.yaml", "--outt", "d"}), "--outt: unknown option, did you mean '--out'?");
+  EXPECT_EQ(fault({"s.yaml", "--record"}), "--record: unknown option; there are: --out, --set, --no-bag, --help");
+  EXPECT_EQ(fault({"s.yaml", "--out=d"}), "--out=d: unknown option, write '--out', a blank, its value");
+  EXPECT_EQ(fault({"s.yaml", "--out", "--no-bag"}), "--out: needs a value after it");
   EXPECT_EQ(fault({"s.yaml", "t.yaml", "--out", "d"}), "t.yaml: one scenario at a time (the first was s.yaml)");
   EXPECT_EQ(fault({"s.yaml", "--out", "d", "--jobs", "3"}), "");
   for (const char* jobs : {"0", "-1", "2.5", "", "1000", "all"})
     EXPECT_EQ(fault({"s.yaml", "--out", "d", "--jobs", jobs}),
               std::string("--jobs ") + jobs + ": must be a whole number from 1 to 999");
   EXPECT_EQ(fault({"--help"}), "");
+}
+
+/// What a command line with these arguments of --set announces, and its hints.
+std::pair<std::string, std::string> announced(const Words& sets) {
+  Words words = {"s.yaml", "--out", "d"};
+  for (const std::string& set : sets) words.insert(words.end(), {"--set", set});
+  OfflineArguments arguments;
+  EXPECT_EQ(arguments.parse(words), "");
+  return {arguments.announcement(), arguments.commaHints()};
+}
+
+TEST(OfflineArgumentsTest, ASweepIsAnnouncedWithItsValues) {
+  EXPECT_EQ(announced({"a=1", "b=[1,2]"}).first, "");
+  EXPECT_EQ(announced({"a=1,2", "b=x", "c=0.1,0.2,0.3"}).first,
+            "6 runs, one for each combination of the values given to --set (a comma separates values):\n"
+            "  a = 1  |  2\n  c = 0.1  |  0.2  |  0.3\n");
+}
+
+TEST(OfflineArgumentsTest, WhatLooksLikeADecimalCommaIsSweptWithAHint) {
+  EXPECT_EQ(announced({"x=0,25"}).second,
+            "ltd_offline: --set x=0,25: is taken as two values, 0 and 25; if one number was meant, write 0.25\n");
+  for (const char* const likely : {"x=0,1", "x=-0,5", "x=12,5", "x=-3,2"})
+    EXPECT_NE(announced({likely}).second, "") << likely;
+  for (const char* const honest : {"x=6,12", "x=0.15,0.3", "x=0,0.5", "x=0,1,2", "x=3,-3", "x=a,b", "x=1,2", "x=0"})
+    EXPECT_EQ(announced({honest}).second, "") << honest;
+  EXPECT_EQ(announced({"x=12", "x=5"}).second, "");  // given one by one
+  // No number is written so: with a comma before it was meant to be a fraction.
+  EXPECT_TRUE(fixtures::contains(OfflineArguments().parse({"s.yaml", "--set", "x=1,05"}), "gives the value 05"));
 }
 
 TEST(OfflineArgumentsTest, EveryCombinationOfValuesComesOnceTheLastKeyVaryingFastest) {
@@ -161,6 +193,27 @@ TEST_F(RunOfflineTest, ASweepInWhichARunFailsGives1AndGoesOn) {
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[1][6], "failed");  // it rolled back off the track
   EXPECT_EQ(rows[2][6], "finished");
+}
+
+TEST_F(RunOfflineTest, ASweepIsAnnouncedBeforeItsValuesAreRefused) {
+  EXPECT_EQ(offline({"--set", "train.groups.0.vehicle.adhesion_limit=0,25"}), 2);
+  EXPECT_TRUE(fixtures::contains(said_, "2 runs, one for each combination")) << said_;
+  EXPECT_TRUE(fixtures::contains(said_, "  train.groups.0.vehicle.adhesion_limit = 0  |  25")) << said_;
+  EXPECT_TRUE(fixtures::contains(complained_, "if one number was meant, write 0.25")) << complained_;
+}
+
+TEST_F(RunOfflineTest, AStandingTrainHasNoNegativeSpeed) {
+  EXPECT_EQ(offline({"--set", "run.end_time_s=1", "--set", "run.start_speed_kmph=0", "--set", "driver.notches=[[0, 0]]",
+                     "--set", "track.grades.0.grade_permille=-0.000001"}),
+            0);
+  EXPECT_TRUE(fixtures::contains(said_, "speed 0.000 km/h")) << said_;
+}
+
+TEST(ProgressTest, IsOneLineWithoutNegativeZeros) {
+  EXPECT_EQ(toString(ltd::Progress{96.26, 3412.4, 6.61, 8, 41.234, 12.4}),
+            "3.412 km  96.3 s  23.8 km/h  notch 8  41.23 x real time  12 s left");
+  EXPECT_EQ(toString(ltd::Progress{0.0, -0.2, -1e-9, 0, 0.5, -1.0}),
+            "0.000 km  0.0 s  0.0 km/h  notch 0  0.5 x real time");
 }
 
 TEST_F(RunOfflineTest, ASweepIsRefusedAsAWholeBeforeItsFirstRun) {

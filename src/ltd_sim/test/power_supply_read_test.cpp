@@ -96,7 +96,7 @@ TEST(PowerSupplyReadTest, ADieselMustServeFullTractionWithAuxiliariesAndLosses) 
   EXPECT_TRUE(faults(kDiesel, served_W * (1.0 - 1e-12)).empty());
   const Lines lines = faults(kDiesel, 511112.0);
   ASSERT_EQ(lines.size(), 1u);
-  EXPECT_EQ(lines[0].rfind("test.yaml: engine.rated_power_W = 1.0e6: serves 511111.1", 0), 0u) << lines[0];
+  EXPECT_EQ(lines[0].rfind("test.yaml: engine.rated_power_W = 1.0e6: serves 511111 W at the rim, ", 0), 0u) << lines[0];
   EXPECT_NE(lines[0].find("must serve 511112 W, the most that `traction` asks"), std::string::npos) << lines[0];
   const std::string hybrid = supplyHead("diesel_storage") + engineText() + storageText();
   EXPECT_TRUE(faults(hybrid, 1e9).empty());  // bounds the traction instead

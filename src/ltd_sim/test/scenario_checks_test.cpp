@@ -12,9 +12,10 @@ TEST_F(ScenarioChecksTest, RefusesAMacroStepThatIsNoMultipleOfTheMicroStep) {
 }
 
 TEST_F(ScenarioChecksTest, RefusesAStepTooLongForTheTrainAndNamesTheLargest) {
-  // 3 x 460.09 kN on the paper's coupler between wagons of 120 t: friction alone allows 3.162 ms, with stiffness 3.154.
+  // 3 x 460.09 kN on the paper's coupler between wagons of 120 t: friction alone allows 3.162 ms, with
+  // stiffness 3.1537.
   const std::string fault = faultOf({{"steps.macro_step_s", "0.004"}});
-  EXPECT_TRUE(fixtures::contains(fault, "steps.macro_step_s = 0.004: must be below 0.003154 for this train")) << fault;
+  EXPECT_TRUE(fixtures::contains(fault, "steps.macro_step_s = 0.004: must be below 0.003153 for this train")) << fault;
   EXPECT_TRUE(fixtures::contains(fault, "vehicle 4 (wagon 120 t, 120 t) with a coupler force of 1.38 MN")) << fault;
 }
 
@@ -30,16 +31,18 @@ TEST_F(ScenarioChecksTest, RefusesATrainThatWouldStandBeyondTheTracksStart) {
   const std::vector<std::string> lines =
       faults({{"run.start_location_km", "1.6"}, {"output.section_boundaries_km", "[3.0, 4.5]"}});
   ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
-  EXPECT_TRUE(fixtures::contains(lines.front(), "run.start_location_km = 1.6: the train would stand from -0.0225 to"))
+  EXPECT_TRUE(fixtures::contains(lines.front(),
+                                 "run.start_location_km = 1.6: must be 1.6225 to 10 for this train: the train would "
+                                 "stand from -0.0225 to 1.6 km, the track is from 0 to 10 km"))
       << lines.front();
-  EXPECT_EQ(faults({{"run.start_location_km", "1.63"}}), std::vector<std::string>());
+  EXPECT_EQ(faults({{"run.start_location_km", "1.6225"}}), std::vector<std::string>());
 }
 
 TEST_F(ScenarioChecksTest, RefusesAnEndBeyondTheTrackOrBehindTheStart) {
   EXPECT_TRUE(fixtures::anyHas({faultOf({{"run.end_location_km", "10.001"}})},
-                               {"run.end_location_km = 10.001: ", "beyond the track (track 0 to 10 km)"}));
+                               {"run.end_location_km = 10.001: must be at most 10, ", "beyond the track, 0 to 10 km"}));
   const auto lines = faults({{"run.end_location_km", "2.9"}});
-  EXPECT_TRUE(fixtures::anyHas(lines, {"run.end_location_km = 2.9", "must be ahead of start_location_km"}));
+  EXPECT_TRUE(fixtures::anyHas(lines, {"run.end_location_km = 2.9", "must be ahead of start_location_km = 3"}));
 }
 
 TEST_F(ScenarioChecksTest, RefusesAnEndAtWhichPushedWagonsWouldHaveLeftTheTrack) {
@@ -47,13 +50,17 @@ TEST_F(ScenarioChecksTest, RefusesAnEndAtWhichPushedWagonsWouldHaveLeftTheTrack)
           "groups:\n  - {kind: wagon, count: 2, vehicle_file: ../vehicles/wagon_120t.yaml}\n");
   // The first wagon runs 15 + 18.5 m ahead of the leading locomotive.
   EXPECT_EQ(faults({{"run.end_location_km", "9.966"}}), std::vector<std::string>());
-  EXPECT_TRUE(fixtures::contains(faultOf({{"run.end_location_km", "9.967"}}), "run.end_location_km = 9.967: "));
+  EXPECT_TRUE(fixtures::contains(faultOf({{"run.end_location_km", "9.967"}}),
+                                 "run.end_location_km = 9.967: must be at most 9.9665, or"));
 }
 
 TEST_F(ScenarioChecksTest, RefusesReportLocationsThatFallOrLieOutsideTheRun) {
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[3.2, 3.15]"}}), "must rise"));
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[2.9, 3.15]"}}), "2.9 is not between"));
-  EXPECT_TRUE(fixtures::contains(faultOf({{"output.section_boundaries_km", "[3.0, 10.1]"}}), "10.1 is not between"));
+  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[3.2, 3.15]"}}),
+                                 "output.report_locations_km.1 = 3.15: must be ahead of the one before, 3.2"));
+  EXPECT_TRUE(fixtures::contains(faultOf({{"output.report_locations_km", "[2.9, 3.15]"}}),
+                                 "output.report_locations_km.0 = 2.9: must be 3 to 10 km, from run.start_location_km"));
+  EXPECT_TRUE(fixtures::contains(faultOf({{"output.section_boundaries_km", "[3.0, 10.1]"}}),
+                                 "output.section_boundaries_km.1 = 10.1: must be 3 to 10 km"));
 }
 
 TEST_F(ScenarioChecksTest, TellsARunThatDoesNotFitItsTrackAndAStepThatIsTooLongBesideOtherFaults) {
@@ -78,6 +85,22 @@ TEST_F(ScenarioChecksTest, RefusesANotchGroupThatTheDriverDoesNotKnow) {
   EXPECT_TRUE(fixtures::anyHas(lines, {"scenarios/paper_1d.yaml: driver.groups.head", "is missing"}));
   EXPECT_TRUE(fixtures::anyHas(lines, {"scenarios/paper_1d.yaml: driver.groups.lead", "unknown key"}));
   EXPECT_EQ(lines.size(), 2u) << fixtures::joined(lines);
+}
+
+TEST_F(ScenarioChecksTest, AStartOffTheTrackIsToldAloneAndWithThePlacesThatAreRight) {
+  const std::vector<std::string> metres = faults({{"run.start_location_km", "3000"}});
+  ASSERT_EQ(metres.size(), 1u) << fixtures::joined(metres);
+  EXPECT_TRUE(fixtures::contains(metres.front(), "run.start_location_km = 3000: must be 1.6225 to 10 for this train"));
+  const std::vector<std::string> lines = faults({{"train.groups.1.count", "700"}});
+  ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
+  EXPECT_TRUE(fixtures::contains(lines.front(), "the track is from 0 to 10 km: the train is longer than the track"))
+      << lines.front();
+}
+
+TEST_F(ScenarioChecksTest, ATrainThatIsNotThereDoesNotAccuseItsDriver) {
+  const std::vector<std::string> lines = faults({{"train", "trains/paper.yaml"}});
+  ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
+  EXPECT_EQ(lines.front(), "--set: train = trains/paper.yaml: must be a map; a file is named by train_file");
 }
 
 }  // namespace

@@ -30,6 +30,16 @@ class ScenarioFaultTest : public fixtures::ScratchDirectory {
     return {};
   }
 
+  /// What is said of a scenario outside the copy.
+  static std::vector<std::string> absent(const std::string& file) {
+    try {
+      ltd::Scenario::load(file, {});
+    } catch (const rail::ConfigError& error) {
+      return error.lines();
+    }
+    return {};
+  }
+
   /// The one line that breaking `file` gives.
   std::string faultOf(const std::string& file, const std::string& from, const std::string& to) const {
     replace("config/" + file, from, to);

@@ -13,14 +13,32 @@ const std::string kConfig = CONFIG_DIR;
 TEST_F(ScenarioFaultTest, TheCopyItselfIsSound) { EXPECT_EQ(faults(), std::vector<std::string>()); }
 
 TEST_F(ScenarioFaultTest, AScenarioThatDoesNotExistIsAnsweredWithThoseThatDo) {
-  EXPECT_EQ(
-      faults({}, "locomotives/bo_bo_8t.yaml"),
-      std::vector<std::string>{"locomotives/bo_bo_8t.yaml: scenario bo_bo_8t does not exist; there are: bo_bo_88t, "
-                               "co_co_134t, co_co_134t_storage"});
+  const std::string folder = path("config/scenarios");
+  const std::string misspelt = faults({}, "scenarios/emergncy.yaml").at(0);
+  EXPECT_EQ(misspelt.rfind("scenarios/emergncy.yaml: scenario emergncy does not exist, did you mean " + folder +
+                               "/emergency_stop.yaml?; in " + folder + " there are: emergency_stop, ",
+                           0),
+            0u)
+      << misspelt;
+  EXPECT_FALSE(fixtures::contains(faults({}, "scenarios/wagons.yaml").at(0), "did you mean"));
   const std::vector<std::string> lines = faults({}, "scenarios/paper_4d.yaml");
   ASSERT_EQ(lines.size(), 1u);
   for (const auto& entry : std::filesystem::directory_iterator(kConfig + "/scenarios"))
     EXPECT_TRUE(fixtures::contains(lines.front(), entry.path().stem().string())) << lines.front();
+  // What lies beside a scenario and is none is not offered as one.
+  std::filesystem::copy(path("config/trains/paper.yaml"), path("config/scenarios/paper_train.yaml"));
+  write("config/scenarios/broken.yaml", "a: [\n");
+  const std::string beside = faults({}, "scenarios/paper_train_1.yaml").at(0);
+  EXPECT_FALSE(fixtures::contains(beside, "paper_train,")) << beside;
+  EXPECT_FALSE(fixtures::contains(beside, "broken")) << beside;
+  // Who calls from the checkout need not say where scenarios are.
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(path(""));
+  const std::string bare = fixtures::joined(absent("emergncy.yaml"));
+  std::filesystem::current_path(here);
+  EXPECT_TRUE(fixtures::contains(bare, "did you mean config/scenarios/emergency_stop.yaml?")) << bare;
+  // Nor is what lies in a folder of other things.
+  EXPECT_TRUE(fixtures::contains(faults({}, "locomotives/bo_bo_8t.yaml").at(0), "there are none in "));
   const std::vector<std::string> nowhere = faults({}, "absent/paper_1d.yaml");
   ASSERT_EQ(nowhere.size(), 1u);
   EXPECT_TRUE(fixtures::contains(nowhere.front(), "scenario paper_1d does not exist; there are none in "));
@@ -45,7 +63,7 @@ TEST_F(ScenarioFaultTest, RefusesAMissingKey) {
 
 TEST_F(ScenarioFaultTest, RefusesAnIllTypedValue) {
   EXPECT_EQ(faultOf("vehicles/wagon_120t.yaml", "length_m: 15 ", "length_m: 15m "),
-            "vehicles/wagon_120t.yaml: length_m = 15m: must be a number > 0 and <= 100");
+            "vehicles/wagon_120t.yaml: length_m = 15m: must be a number > 0 and <= 100, without unit or other text");
 }
 
 TEST_F(ScenarioFaultTest, RefusesAnImpossibleValue) {

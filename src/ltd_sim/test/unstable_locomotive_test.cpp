@@ -38,7 +38,7 @@ TEST_F(UnstableLocomotiveTest, AMicroStepThatItsWheelsDoNotBearIsRefusedWithTheM
   EXPECT_EQ(
       lines.front(),
       "--set: steps.micro_step_s = 0.002: must be at most 0.001507 s for Co-Co 134 t: mode \"wheelset 1, vertical\" "
-      "at 164.8 Hz, damping ratio 0.049, grows with steps beyond 0.001839 s, of which 0.82 may be used");
+      "at 164.8 Hz, damping ratio 0.04924, grows with steps beyond 0.001839 s, of which 0.82 may be used");
   EXPECT_EQ(faults(withSteps("0.003", "0.0015")), std::vector<std::string>());
   EXPECT_EQ(faults({{"steps.micro_step_s", "0.002"}, {"locomotive_model", "1d"}}).size(), 2u)  // adhesion, control
       << "1d has no bodies, so no limit";

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "number_text.hpp"
+#include "text_fault.hpp"
 
 namespace rail {
 namespace {
@@ -53,6 +54,14 @@ std::vector<Line> splitLines(const std::string& text) {
   return lines;
 }
 
+/// The lines with cells; none, with the problem added, if there are none or the text is no text.
+std::vector<Line> readLines(const std::string& text, const std::string& file, Problems& problems) {
+  const std::string fault = textFault(text);
+  const std::vector<Line> lines = fault.empty() ? splitLines(text) : std::vector<Line>();
+  if (lines.empty()) problems.add(file, "", fault.empty() ? "is empty" : fault);
+  return lines;
+}
+
 std::string lineKey(int number) { return "line " + std::to_string(number); }
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
@@ -63,8 +72,9 @@ bool contains(const std::vector<std::string>& words, const std::string& word) {
 bool checkHeader(const Line& header, const std::string& file, Problems& problems) {
   const std::string key = lineKey(header.number);
   const std::vector<std::string>& names = header.cells;
-  if (names.front().find(';') != std::string::npos) {
-    problems.add(file, key, "columns must be separated by ',', not by ';'");
+  for (const auto& [separator, word] : {std::pair(';', "';'"), std::pair('\t', "tabs")}) {
+    if (names.front().find(separator) == std::string::npos) continue;
+    problems.add(file, key, "columns must be separated by ',', not by " + std::string(word));
     return false;
   }
   bool good = true;
@@ -72,7 +82,8 @@ bool checkHeader(const Line& header, const std::string& file, Problems& problems
     const bool repeated = std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(j), names[j]) !=
                           names.begin() + static_cast<std::ptrdiff_t>(j);
     if (names[j].empty()) {
-      problems.add(file, key, "column " + std::to_string(j + 1) + " has no name");
+      const char* const hint = j > 0 && j + 1 == names.size() ? " (a comma at the end of the line?)" : "";
+      problems.add(file, key, "column " + std::to_string(j + 1) + " has no name" + hint);
     } else if (repeated) {
       problems.add(file, key, "column '" + names[j] + "' is given twice");
     }
@@ -118,7 +129,9 @@ std::optional<double> readCell(const std::string& cell, const std::string& file,
     problems.add(file, key, cell, "is beyond the range of a double");
   } else {
     const bool comma = cell.find(',') != std::string::npos;
-    problems.add(file, key, cell, comma ? "must be a number, with a decimal point" : "must be a number");
+    const bool unit = isDecimal(cell.substr(0, cell.find_first_not_of("+-.0123456789")));
+    const char* const hint = comma ? ", with a decimal point" : unit ? ", without unit or other text" : "";
+    problems.add(file, key, cell, std::string("must be a number") + hint);
   }
   return std::nullopt;
 }
@@ -133,6 +146,10 @@ std::optional<std::vector<double>> readRow(const Line& line, const std::vector<s
     problems.add(
         file, lineKey(line.number),
         "has " + std::to_string(line.cells.size()) + " cells, the header names " + std::to_string(names.size()) + hint);
+    return std::nullopt;
+  }
+  if (std::all_of(line.cells.begin(), line.cells.end(), [](const std::string& cell) { return cell.empty(); })) {
+    problems.add(file, lineKey(line.number), "has only empty cells: remove it");
     return std::nullopt;
   }
   std::vector<double> row;
@@ -153,6 +170,7 @@ CsvTable readRows(const std::vector<Line>& lines, const std::string& file, const
                   Problems& problems) {
   CsvTable table;
   table.columns = columns;
+  table.line_of_header = lines.front().number;
   const std::vector<std::string>& names = lines.front().cells;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::optional<std::vector<double>> cells = readRow(lines[i], names, columns, file, problems);
@@ -180,13 +198,10 @@ namespace {
 
 CsvTable readNamed(const std::string& text, const std::string& file, const std::vector<std::string>& columns,
                    bool others_allowed, Problems& problems) {
-  const std::vector<Line> lines = splitLines(text);
   CsvTable empty;
   empty.columns = columns;
-  if (lines.empty()) {
-    problems.add(file, "", "is empty");
-    return empty;
-  }
+  const std::vector<Line> lines = readLines(text, file, problems);
+  if (lines.empty()) return empty;
   if (!checkHeader(lines.front(), file, problems)) return empty;
   const bool known = others_allowed || checkKnown(lines.front(), file, columns, problems);
   const bool complete = checkComplete(lines.front(), file, columns, problems);
@@ -207,11 +222,8 @@ CsvTable readCsvColumns(const std::string& text, const std::string& file, const 
 }
 
 CsvTable readOpenCsv(const std::string& text, const std::string& file, const std::string& first, Problems& problems) {
-  const std::vector<Line> lines = splitLines(text);
-  if (lines.empty()) {
-    problems.add(file, "", "is empty");
-    return {};
-  }
+  const std::vector<Line> lines = readLines(text, file, problems);
+  if (lines.empty()) return {};
   const Line& header = lines.front();
   if (!checkHeader(header, file, problems)) return {};
   if (header.cells.front() != first) {

@@ -16,12 +16,33 @@ std::string identity(const std::string& file) {
   return error ? file : canonical.string();
 }
 
+bool isFolder(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error);
+}
+
+/// A hint at a file of the same kind beside the one that is not there; "" if none has a name like it.
+std::string nearestFile(const std::string& absent) {
+  const std::filesystem::path path = absent;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error))
+    return ": there is no folder '" + folder.string() + "' (a path counts from the file that names it)";
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() == path.extension()) names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());  // a folder has no order
+  const std::string near = nearestWord(path.filename().string(), names);
+  return near.empty() ? "" : ": there is none, did you mean '" + near + "'?";
+}
+
 }  // namespace
 
 void DocumentLoader::load(const std::string& path, const std::vector<Override>& overrides) {
   readTargets(overrides);
   const std::optional<std::string> text = readFile(path);
-  if (!text) problems_.add(path, "", "cannot be read");
+  if (!text) problems_.add(path, "", isFolder(path) ? "is a folder: must be a file" : "cannot be read");
   const std::string directory = std::filesystem::path(path).parent_path().string();
   open_files_ = {path};
   setRoot(text ? readYaml(*text, path, "", problems_) : std::nullopt, {path, "", "", directory});
@@ -42,7 +63,7 @@ void DocumentLoader::setRoot(const std::optional<YAML::Node>& raw, const Cursor&
     document_.root_ = resolve(*raw, cursor);
     return;
   }
-  if (raw) problems_.add(cursor.file, "", "must be a map");
+  if (raw) problems_.add(cursor.file, "", raw->IsNull() ? "is empty" : "must be a map, of lines `key: value`");
   document_.unreadable_.insert("");
 }
 
@@ -104,8 +125,9 @@ YAML::Node DocumentLoader::include(const YAML::Node& raw, const Cursor& cursor, 
   }
   const std::string file = (std::filesystem::path(cursor.directory) / name).lexically_normal().string();
   const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension != ".yaml" && extension != ".csv") {
-    problems_.add(cursor.file, cursor.local, name, "must end in .yaml or .csv");
+  if (isFolder(file) || (extension != ".yaml" && extension != ".csv")) {
+    problems_.add(cursor.file, cursor.local, name,
+                  std::string(isFolder(file) ? "is a folder: must be a file, and" : "must") + " end in .yaml or .csv");
     return fail(path);
   }
   const std::string round = circle(file);
@@ -115,7 +137,7 @@ YAML::Node DocumentLoader::include(const YAML::Node& raw, const Cursor& cursor, 
   }
   const std::optional<std::string> text = readFile(file);
   if (!text) {
-    problems_.add(cursor.file, cursor.local, name, "cannot read '" + file + "'");
+    problems_.add(cursor.file, cursor.local, name, "cannot read '" + file + "'" + nearestFile(file));
     return fail(path);
   }
   document_.file_of_subtree_[path] = file;

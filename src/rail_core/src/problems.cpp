@@ -39,9 +39,15 @@ std::string lowerCase(std::string word) {
   return word;
 }
 
-/// Number of insertions, deletions, substitutions and swaps of neighbours that make `b` of `a` (optimal string
-/// alignment).
-std::size_t editDistance(const std::string& a, const std::string& b) {
+/// Numbers of slips between two words.
+struct Distance {
+  std::size_t whole;      ///< to the whole word
+  std::size_t beginning;  ///< to that beginning of it which is nearest
+};
+
+/// Number of insertions, deletions, substitutions and swaps of neighbours that make `b`, or its nearest beginning, of
+/// `a` (optimal string alignment).
+Distance editDistance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
   for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
@@ -53,8 +59,12 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
       if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   }
-  return d[a.size()][b.size()];
+  const std::vector<std::size_t>& last = d[a.size()];
+  return {last[b.size()], *std::min_element(last.begin(), last.end())};
 }
+
+/// Chosen: one slip in three letters is still a misspelling, half a word is another word.
+std::size_t mostSlips(std::size_t letters) { return std::max<std::size_t>(1, letters / 3); }
 
 /// A key without its unit (`mass` for `mass_kg`) is many edits away and a likely slip all the same.
 bool isBeginningOf(const std::string& beginning, const std::string& word) {
@@ -89,16 +99,29 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
   std::size_t least = 0;
   for (const std::string& candidate : known) {
     const std::string lower = lowerCase(candidate);
-    const std::size_t distance = editDistance(wanted, lower);
-    // Chosen: one slip in three letters is still a misspelling, half a word is another word.
-    const bool near = distance <= std::max<std::size_t>(1, std::max(wanted.size(), lower.size()) / 3) ||
-                      isBeginningOf(wanted, lower) || isBeginningOf(lower, wanted);
+    const std::size_t distance = editDistance(wanted, lower).whole;
+    const bool near = distance <= mostSlips(std::max(wanted.size(), lower.size())) || isBeginningOf(wanted, lower) ||
+                      isBeginningOf(lower, wanted);
     if (near && (nearest.empty() || distance < least)) {
       nearest = candidate;
       least = distance;
     }
   }
   return nearest;
+}
+
+std::vector<std::string> nearestFirst(const std::string& word, std::vector<std::string> known) {
+  const std::string wanted = lowerCase(word);
+  std::stable_sort(known.begin(), known.end(), [&wanted](const std::string& a, const std::string& b) {
+    const Distance to_a = editDistance(wanted, lowerCase(a)), to_b = editDistance(wanted, lowerCase(b));
+    return to_a.beginning != to_b.beginning ? to_a.beginning < to_b.beginning : to_a.whole < to_b.whole;
+  });
+  return known;
+}
+
+bool isMisspeltBeginning(const std::string& word, const std::string& candidate) {
+  const std::size_t slips = editDistance(lowerCase(word), lowerCase(candidate)).beginning;
+  return slips <= mostSlips(word.size()) && slips < word.size();  // of all letters: it is no beginning
 }
 
 }  // namespace rail

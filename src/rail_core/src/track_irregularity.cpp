@@ -6,6 +6,7 @@
 #include "number_text.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/csv_table.hpp"
+#include "rail_core/message_number.hpp"
 #include "track_profile.hpp"
 #include "track_rules.hpp"
 
@@ -45,8 +46,7 @@ class IrregularityCheck {
     const double s_m = place_m(i);
     if (s_m < start_m_ || s_m > end_m_) {
       refuse(i, kChainage,
-             "must be on the track, " + formatNumber(start_m_ / kMetresPerKilometre) + " to " +
-                 formatNumber(end_m_ / kMetresPerKilometre));
+             "must be on the track, " + messageKilometres(start_m_) + " to " + messageKilometres(end_m_) + " km");
     }
     if (i == 0) return;
     const double step_m = s_m - place_m(i - 1);
@@ -67,10 +67,10 @@ class IrregularityCheck {
     } else if ((i == 0 || i + 1 == table_.rows.size()) && value != 0.0) {
       refuse(i, column, "must be 0 in the first and in the last row, where the rails lie as designed");
     } else if (i > 0 && std::abs(slope(i, column)) > kSteepest_mm_per_m) {
-      refuse(i, column, "a step: it changes by " + formatNumber(slope(i, column)) + " mm a metre, must be 10 at most");
+      refuse(i, column, "a step: it changes by " + messageNumber(slope(i, column)) + " mm a metre, must be 10 at most");
     } else if (i > 1 && std::abs(slope(i, column) - slope(i - 1, column)) > kSteepest_mm_per_m) {
       refuse(i - 1, column,
-             "a kink: its slope changes by " + formatNumber(slope(i, column) - slope(i - 1, column)) +
+             "a kink: its slope changes by " + messageNumber(slope(i, column) - slope(i - 1, column)) +
                  " mm a metre here, must be 10 at most");
     }
   }

@@ -84,6 +84,11 @@ std::vector<std::vector<double>> YamlReader::rows(const std::string& key, std::s
     reject(key, rule);
     return rows;
   }
+  const bool flat = std::all_of(list.begin(), list.end(), [](const auto& entry) { return entry.IsScalar(); });
+  if (list.size() > 0 && flat) {
+    reject(key, rule + ", in brackets of their own: [[...], [...]]");
+    return rows;
+  }
   std::size_t index = 0;
   for (const auto& entry : list) {
     const std::string row_key = joinPath(key, index++);

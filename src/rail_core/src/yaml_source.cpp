@@ -5,23 +5,30 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <set>
+#include <map>
 #include <sstream>
+
+#include "text_fault.hpp"
+#include "yaml_hints.hpp"
 
 namespace rail {
 namespace {
 
 /// Listens to the parser for what the finished tree no longer shows.
-class AliasFinder : public YAML::EventHandler {
+class Listener : public YAML::EventHandler {
  public:
+  explicit Listener(const std::string& text) : text_(text) {}  ///< without byte order mark
   const std::string& fault() const { return fault_; }
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { check(mark, anchor); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override { check(mark, anchor); }
-  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor, const std::string&) override {
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string&) override {
     check(mark, anchor);
+    if (fault_.empty() && tag == kQuotedTag && isOpenQuote(text_, mark.line, mark.column)) {
+      fault_ = "line " + std::to_string(mark.line + 1) + ": is not YAML: has a quote that is not closed";
+    }
   }
   void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {
@@ -40,20 +47,29 @@ class AliasFinder : public YAML::EventHandler {
     fault_ = "line " + std::to_string(mark.line + 1) +
              ": anchors and aliases (&name, *name) are not allowed, write it out or use a NAME_file key";
   }
+
+  const std::string& text_;
   std::string fault_;
 };
 
+std::string withoutByteOrderMark(const std::string& text) {
+  return text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? text.substr(3) : text;
+}
+
 /// "" if the text is one YAML document without aliases, otherwise what is wrong.
-std::string syntaxFault(const std::string& text) {
+std::string syntaxFault(const std::string& given) {
+  const std::string no_text = textFault(given);
+  if (!no_text.empty()) return no_text;
+  const std::string text = withoutByteOrderMark(given);
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
-    AliasFinder finder;
+    Listener finder(text);
     const bool any = parser.HandleNextDocument(finder);
     if (!finder.fault().empty()) return finder.fault();
     if (any && parser.HandleNextDocument(finder)) return "must be one YAML document, without '---'";
   } catch (const YAML::Exception& error) {
-    return "line " + std::to_string(error.mark.line + 1) + ": is not YAML: " + error.msg;
+    return yamlFault(text, error.mark.line + 1, error.msg);
   }
   return "";
 }
@@ -79,7 +95,7 @@ class TreeCheck {
 
  private:
   void checkMap(const YAML::Node& map, const std::string& path) {
-    std::set<std::string> seen;
+    std::map<std::string, int> line_of;  // 1-based
     for (const auto& pair : map) {
       if (!pair.first.IsScalar() || pair.first.Scalar().empty()) {
         problems_.add(file_, path, "a key must be text, and not empty");
@@ -87,7 +103,12 @@ class TreeCheck {
       }
       const std::string& key = pair.first.Scalar();
       if (key.find('.') != std::string::npos) problems_.add(file_, joinPath(path, key), "a key must not hold a dot");
-      if (!seen.insert(key).second) problems_.add(file_, joinPath(path, key), "is given twice");
+      const auto [known, first] = line_of.insert({key, pair.first.Mark().line + 1});
+      if (!first) {
+        problems_.add(file_, joinPath(path, key),
+                      "is given twice, in line " + std::to_string(known->second) + " and in line " +
+                          std::to_string(pair.first.Mark().line + 1));
+      }
       check(pair.second, joinPath(path, key));
     }
   }

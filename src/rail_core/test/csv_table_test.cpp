@@ -27,8 +27,10 @@ TEST(CsvTableTest, WrongRowsAreNamedWithTheirLine) {
   EXPECT_EQ(faults(kHeader + "0,1,nan\n"), Lines{"line.csv: line 2: radius_m = nan: must be a number"});
   EXPECT_EQ(faults(kHeader + "0,1,1e999\n"),
             Lines{"line.csv: line 2: radius_m = 1e999: is beyond the range of a double"});
-  EXPECT_EQ(faults(kHeader + "0,1,300m\n"), Lines{"line.csv: line 2: radius_m = 300m: must be a number"});
-  EXPECT_EQ(faults(kHeader + "0,1,0x10\n"), Lines{"line.csv: line 2: radius_m = 0x10: must be a number"});
+  EXPECT_EQ(faults(kHeader + "0,1,300m\n"),
+            Lines{"line.csv: line 2: radius_m = 300m: must be a number, without unit or other text"});
+  EXPECT_EQ(faults(kHeader + "0,1,0x10\n"),
+            Lines{"line.csv: line 2: radius_m = 0x10: must be a number, without unit or other text"});
 }
 
 TEST(CsvTableTest, DecimalCommaIsNamed) {
@@ -38,6 +40,14 @@ TEST(CsvTableTest, DecimalCommaIsNamed) {
             Lines{"line.csv: line 2: chainage_km = 3,2: must be a number, with a decimal point"});
   EXPECT_EQ(faults("chainage_km;grade_permille;radius_m\n3,2;0;0\n"),
             Lines{"line.csv: line 1: columns must be separated by ',', not by ';'"});
+}
+
+TEST(CsvTableTest, WhatSpreadsheetsLeaveIsNamedOnce) {
+  EXPECT_EQ(faults("chainage_km\tgrade_permille\tradius_m\n3\t0\t0\n"),
+            Lines{"line.csv: line 1: columns must be separated by ',', not by tabs"});
+  EXPECT_EQ(faults(kHeader + "0,0,0\n,,\n"), Lines{"line.csv: line 3: has only empty cells: remove it"});
+  EXPECT_EQ(faults("chainage_km,grade_permille,radius_m,\n0,0,0,\n"),
+            Lines{"line.csv: line 1: column 4 has no name (a comma at the end of the line?)"});
 }
 
 TEST(CsvTableTest, WrongColumnsAreNamed) {

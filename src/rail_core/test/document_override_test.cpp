@@ -54,8 +54,8 @@ TEST_F(DocumentOverrideTest, IndicesMustLieInTheList) {
 
 TEST_F(DocumentOverrideTest, ValuesThatAreNoYamlAreRefused) {
   EXPECT_EQ(faultsWith({{"steps.macro_step_s", "[1"}}),
-            Lines{"--set: steps.macro_step_s: line 1: is not YAML: end of sequence flow not found"});
-  EXPECT_EQ(faultsWith({{"steps", "{a: 1, a: 2}"}}), Lines{"--set: steps.a: is given twice"});
+            Lines{"--set: steps.macro_step_s: line 1: is not YAML: has a bracket that is not closed"});
+  EXPECT_EQ(faultsWith({{"steps", "{a: 1, a: 2}"}}), Lines{"--set: steps.a: is given twice, in line 1 and in line 1"});
 }
 
 TEST_F(DocumentOverrideTest, OneKeyTwiceIsRefusedAlsoAsFile) {

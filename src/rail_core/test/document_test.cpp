@@ -25,8 +25,9 @@ TEST_F(DocumentTest, FaultsOfTheFileAreNamedWithTheirLine) {
   write("directory.yaml/x", "");
   load("directory.yaml");
   EXPECT_EQ(linesOf(problems_),
-            (Lines{"absent.yaml: cannot be read", "syntax.yaml: line 3: is not YAML: end of sequence flow not found",
-                   "list.yaml: must be a map", "empty.yaml: must be a map", "directory.yaml: cannot be read"}));
+            (Lines{"absent.yaml: cannot be read", "syntax.yaml: line 2: is not YAML: has a bracket that is not closed",
+                   "list.yaml: must be a map, of lines `key: value`", "empty.yaml: is empty",
+                   "directory.yaml: is a folder: must be a file"}));
 }
 
 TEST_F(DocumentTest, WhatYamlCppAcceptsInSilenceIsRefused) {
@@ -39,9 +40,9 @@ TEST_F(DocumentTest, WhatYamlCppAcceptsInSilenceIsRefused) {
   parse("~: 3\n");
   const std::string alias = "anchors and aliases (&name, *name) are not allowed, write it out or use a NAME_file key";
   EXPECT_EQ(problems_.lines(),
-            (Lines{"text: a.b: is given twice", "text: line 1: " + alias, "text: a: tags (!type) are not allowed",
-                   "text: must be one YAML document, without '---'", "text: a.b: a key must not hold a dot",
-                   "text: a key must be text, and not empty"}));
+            (Lines{"text: a.b: is given twice, in line 1 and in line 1", "text: line 1: " + alias,
+                   "text: a: tags (!type) are not allowed", "text: must be one YAML document, without '---'",
+                   "text: a.b: a key must not hold a dot", "text: a key must be text, and not empty"}));
   EXPECT_EQ(problems_.count(), 7u);  // the last rule is broken twice
 }
 
@@ -51,14 +52,22 @@ TEST_F(DocumentTest, IncludedFilesThatCannotBeUsedAreNamedWhereTheyAreNamed) {
         "b_file: notes.txt\n"
         "c_file: [1]\n"
         "d: 1\nd_file: x.csv\n"
-        "e_file: bad.yaml\n");
+        "e_file: bad.yaml\n"
+        "f_file: bda.yaml\n"
+        "g_file: .\n"
+        "h_file: nowhere/x.yaml\n");
   write("bad.yaml", "x: 1\nx: 2\n");
   load("main.yaml");
   ASSERT_EQ(linesOf(problems_),
             (Lines{"main.yaml: a_file = absent.yaml: cannot read 'absent.yaml'",
                    "main.yaml: b_file = notes.txt: must end in .yaml or .csv",
                    "main.yaml: c_file: must be the path of a file",
-                   "main.yaml: d_file: stands beside 'd', only one may be given", "bad.yaml: x: is given twice"}));
+                   "main.yaml: d_file: stands beside 'd', only one may be given",
+                   "bad.yaml: x: is given twice, in line 1 and in line 2",
+                   "main.yaml: f_file = bda.yaml: cannot read 'bda.yaml': there is none, did you mean 'bad.yaml'?",
+                   "main.yaml: g_file = .: is a folder: must be a file, and end in .yaml or .csv",
+                   "main.yaml: h_file = nowhere/x.yaml: cannot read 'nowhere/x.yaml': there is no folder 'nowhere' "
+                   "(a path counts from the file that names it)"}));
 }
 
 TEST_F(DocumentTest, InclusionInCirclesIsRefusedWithTheRound) {
@@ -131,7 +140,7 @@ TEST_F(DocumentTest, MessagesUseThePathAsTheUserGaveIt) {
   std::filesystem::current_path(path(""));
   Document::load("scenarios/s.yaml", {}, problems_);
   std::filesystem::current_path(before);
-  EXPECT_EQ(problems_.lines(), Lines{"trains/t.yaml: x: is given twice"});
+  EXPECT_EQ(problems_.lines(), Lines{"trains/t.yaml: x: is given twice, in line 1 and in line 2"});
 }
 
 TEST_F(DocumentTest, UnreadableContentIsMarkedSoThatItIsReportedOnce) {

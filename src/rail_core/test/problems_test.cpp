@@ -54,6 +54,17 @@ TEST(NearestWordTest, AnotherWordIsNotNear) {
 TEST(NearestWordTest, OfTwoTheNearerIsTaken) { EXPECT_EQ(nearestWord("speed_2", {"speed_11", "speed_1"}), "speed_1"); }
 
 }  // namespace
+TEST(NearestFirstTest, AMisspeltBeginningComesFirstThenFewestSlips) {
+  const std::vector<std::string> known = {"paper_1d", "paper_3d", "emergency_stop", "paper_3d_two_point"};
+  EXPECT_EQ(nearestFirst("emergncy", known).front(), "emergency_stop");
+  EXPECT_EQ(nearestFirst("paper_3", known),
+            (std::vector<std::string>{"paper_3d", "paper_3d_two_point", "paper_1d", "emergency_stop"}));
+  EXPECT_TRUE(isMisspeltBeginning("emergncy", "emergency_stop"));
+  EXPECT_FALSE(isMisspeltBeginning("emergncy", "paper_1d"));
+  EXPECT_FALSE(isMisspeltBeginning("wagons", "paper_1d"));
+  EXPECT_FALSE(isMisspeltBeginning("x", "paper_1d"));
+}
+
 TEST(ProblemsTest, AProblemAddedTwiceStandsOnceButIsCountedTwice) {
   rail::Problems problems;
   problems.add("a.yaml", "mass_kg", "-1", "must be > 0");

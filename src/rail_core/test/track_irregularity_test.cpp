@@ -37,7 +37,7 @@ TEST(TrackIrregularityTest, ChainageMustRiseInStepsThatMeanSomethingOnTheTrack) 
             (Lines{"rails.csv: line 3: chainage_km = 1.00005: must be 0.1 m to 5 m behind the row before, 1",
                    "rails.csv: line 4: chainage_km = 1.0051: must be 0.1 m to 5 m behind the row before, 1.00005"}));
   EXPECT_EQ(faultsOf("9.998,0,0,0,0\n9.999,0,0,0,0\n10.001,0,0,0,0"),
-            (Lines{"rails.csv: line 4: chainage_km = 10.001: must be on the track, 0 to 10"}));
+            (Lines{"rails.csv: line 4: chainage_km = 10.001: must be on the track, 0 to 10 km"}));
   EXPECT_EQ(faultsOf("1,0,0,0,0\n1.001,0,0,0,0"), (Lines{"rails.csv: chainage_km: must have three rows at least"}));
 }
 

@@ -1,10 +1,9 @@
 #include "profile_check.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
+#include "rail_core/message_number.hpp"
 #include "rail_placing.hpp"
 #include "stray_chord.hpp"
 
@@ -27,10 +26,19 @@ constexpr double kFlangeBack_mm = -70.0;  // UIC 510-2: the taping line is where
 // a first point 3.4 mm lower. A profile shifted that much carries the wheelset's flanges 1 mm too far apart.
 constexpr double kFlangeBackTolerance_mm = 0.5;
 
-std::string shown(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
-  return {text.data(), end};
+std::string shown(double value) { return rail::messageNumber(value); }
+
+/// The unit in which a span would be right, and what to do; "" if there is none.
+std::string unitHint(double span, double low_mm, double high_mm) {
+  struct Unit {
+    const char* name;
+    double millimetres;
+  };
+  for (const Unit& unit : {Unit{"metres", 1e3}, Unit{"inches", 25.4}, Unit{"centimetres", 10.0}, Unit{"um", 1e-3}}) {
+    if (span * unit.millimetres < low_mm || span * unit.millimetres > high_mm) continue;
+    return std::string(" ") + unit.name + " would be right: multiply them by " + shown(unit.millimetres);
+  }
+  return "";
 }
 
 double direction(const ProfilePoint& a, const ProfilePoint& b) { return std::atan2(b.z_m - a.z_m, b.y_m - a.y_m); }
@@ -61,7 +69,8 @@ bool ProfileCheck::checkUnit(double narrowest_mm, double widest_mm, double shall
   const auto check_span = [this](const std::string& column, double span_mm, double low_mm, double high_mm) {
     if (span_mm >= low_mm && span_mm <= high_mm) return true;
     problems_.add(file_, column, "spans " + shown(span_mm),
-                  "must span " + shown(low_mm) + " to " + shown(high_mm) + " mm: are these millimetres?");
+                  "must span " + shown(low_mm) + " to " + shown(high_mm) + " mm: are these millimetres?" +
+                      unitHint(span_mm, low_mm, high_mm));
     return false;
   };
   const bool width_is_right = check_span("y_mm", width_mm, narrowest_mm, widest_mm);
@@ -112,7 +121,8 @@ bool ProfileCheck::checkFlangeSide(std::size_t tip) {
   const double tip_mm = points_[tip].z_m * kMillimetresPerMetre;
   const std::size_t top = findHighest(points_);
   if (-points_[top].z_m > points_[tip].z_m) {
-    refuse("z_mm", top, points_[top].z_m * kMillimetresPerMetre, "z must point down: the flange's tip must have z > 0");
+    refuse("z_mm", top, points_[top].z_m * kMillimetresPerMetre,
+           "z must point down: the flange's tip must have z > 0: change the sign of every z_mm");
     return false;
   }
   if (points_[tip].y_m >= 0.0) {
@@ -148,7 +158,8 @@ void ProfileCheck::checkFlangeBack(std::size_t tip) {
   if (std::abs(back_mm - kFlangeBack_mm) <= kFlangeBackTolerance_mm) return;
   refuse("y_mm", back, back_mm,
          "the flange's back, which is the least y, must be at y = -70 within 0.5 mm: y counts from the taping line, "
-         "which is 70 mm from it");
+         "which is 70 mm from it: add " +
+             shown(kFlangeBack_mm - back_mm) + " to every y_mm");
 }
 
 void ProfileCheck::checkSmoothness(std::size_t from) {
@@ -173,7 +184,7 @@ void ProfileCheck::checkTapingLine(std::size_t tip) {
     if (std::abs(z_mm) > kTapingLineTolerance_mm) {
       refuse("z_mm", i, b.z_m * kMillimetresPerMetre,
              "z must be 0 within 0.1 mm at the taping line y = 0, where the wheel's radius is the nominal one; it is " +
-                 shown(z_mm));
+                 shown(z_mm) + ": subtract that from every z_mm");
     }
     return;
   }
@@ -185,8 +196,11 @@ void ProfileCheck::checkRail() {
   checkNeighbours(0);
   const std::size_t top = findHighest(points_), low = findDeepest(points_);
   if (top == 0 || top + 1 == points_.size()) {
-    refuse("z_mm", low, points_[low].z_m * kMillimetresPerMetre,
-           "z must point down: the head's top must be inside, with the least z");
+    const double low_mm = points_[low].z_m * kMillimetresPerMetre;
+    refuse("z_mm", low, low_mm,
+           "z must point down, so that the head's top has the least z, and this is the largest: if this is the top, "
+           "write " +
+               shown(low_mm) + " - z for every z");
     return;
   }
   if ((points_.back().y_m - points_[top].y_m) * kMillimetresPerMetre < kHeadBeyond_mm) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "rail_core/command_line.hpp"
+
 namespace loco {
 
 const char* const kCreepForceHelp =
@@ -71,8 +73,11 @@ std::string CreepForceArguments::parse(const std::vector<std::string>& arguments
       help = true;
       return {};
     }
-    if (!isOneOf(option, {"--method", "--grid", "--flexibility", "--k-a", "--k-s"})) return option + ": unknown option";
-    if (++i == arguments.size()) return option + ": needs a value after it";
+    const std::vector<std::string> options = {"--method", "--grid", "--flexibility", "--k-a", "--k-s"};
+    if (option.empty() || option[0] != '-')
+      return option + ": is no option: cases are read from standard input, creep_force < CASES.csv";
+    if (!isOneOf(option, options)) return rail::unknownOption(option, options);
+    if (++i == arguments.size() || rail::isOption(arguments[i])) return option + ": needs a value after it";
     const std::string& value = arguments[i];
     const std::string given = option + " " + value;
     if (option == "--method") {

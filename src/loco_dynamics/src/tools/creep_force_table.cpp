@@ -11,6 +11,7 @@
 #include "loco_dynamics/contact/contact_signs.hpp"
 #include "loco_dynamics/contact/hertz.hpp"
 #include "rail_core/csv_table.hpp"
+#include "rail_core/message_number.hpp"
 #include "rail_core/problems.hpp"
 #include "rail_core/yaml_reader.hpp"
 
@@ -109,8 +110,8 @@ std::string shown(double value) {
 }
 
 std::string ruleOf(const rail::Range& range) {
-  const std::string low = (range.low_included ? ">= " : "> ") + shown(range.low);
-  return "must be " + low + (range.high < 1e300 ? " and <= " + shown(range.high) : "");
+  const std::string low = (range.low_included ? ">= " : "> ") + rail::messageNumber(range.low);
+  return "must be " + low + (range.high < 1e300 ? " and <= " + rail::messageNumber(range.high) : "");
 }
 
 /// One case: the values of all columns, in their order.
@@ -152,8 +153,9 @@ void checkSlip(const std::string& line, const std::string& column, double creepa
   constexpr double kLargestSlip_mps = 60.0;  // chosen: no wheel's rim is 216 km/h faster than its train
   const double slip_mps = std::abs(creepage) * V_mps;
   if (slip_mps > kLargestSlip_mps) {
-    problems.add(kInput, line + ": " + column, shown(creepage),
-                 "a ratio, 0.07 for 7 %: over V_mps it is a slip of " + shown(slip_mps) + " m/s, must be <= 60");
+    problems.add(
+        kInput, line + ": " + column, shown(creepage),
+        "a ratio, 0.07 for 7 %: over V_mps it is a slip of " + rail::messageNumber(slip_mps) + " m/s, must be <= 60");
   }
 }
 

@@ -6,10 +6,13 @@
 #include <optional>
 #include <set>
 
+#include "rail_core/command_line.hpp"
+
 namespace loco {
 
 const char* const kWheelRailContactHelp =
     R"(usage: wheel_rail_contact --load N --lateral MM[,MM...] [OPTION VALUE]...
+       wheel_rail_contact [--wheel NAME] --write-wheel FILE.csv   (likewise --rail, --write-rail)
 
 Where and how the wheels of a wheelset touch their rails. For each lateral displacement height and roll are found so that the
 wheelset stands on both rails with the given load, rolling freely and steadily; one row a contact patch on standard output:
@@ -27,6 +30,8 @@ wheelset stands on both rails with the given load, rolling freely and steadily; 
   --friction MU          0.3 if not given: spin and yaw press a rolling wheel up or down its rail, which changes its normal
                          force; 0 leaves that out
   --sections FILE        writes the cross-sections of wheel and rail there, for `rosrun train_viz contact_plot`
+  --write-wheel FILE     writes the wheel's points there, a file to start from and to read again with --wheel or wheel_file;
+  --write-rail FILE      likewise the rail's, not inclined. No file is overwritten. Without --load and --lateral this is all
 
 Columns: y_rail_mm is counted from the rail's highest point to the field side, z_rail_mm from there down, on both sides;
 angle_rad is that of the contact plane, positive on the treads and more so on the flanges, on both sides. a_mm (in rolling
@@ -84,7 +89,12 @@ std::string WheelRailContactArguments::take(const std::string& option, const std
     return {};
   }
   if (option != "--lateral") {
-    (option == "--wheel" ? wheel : option == "--rail" ? rail : sections_file) = value;
+    std::string* const text = option == "--wheel"         ? &wheel
+                              : option == "--rail"        ? &rail
+                              : option == "--write-wheel" ? &wheel_copy
+                              : option == "--write-rail"  ? &rail_copy
+                                                          : &sections_file;
+    *text = value;
     return value.empty() ? given + ": must not be empty" : std::string();
   }
   for (std::size_t begin = 0; begin <= value.size();) {
@@ -98,7 +108,8 @@ std::string WheelRailContactArguments::take(const std::string& option, const std
 }
 
 std::string WheelRailContactArguments::parse(const std::vector<std::string>& arguments) {
-  const std::set<std::string> others{"--wheel", "--rail", "--lateral", "--sections"};
+  std::vector<std::string> options{"--wheel", "--rail", "--lateral", "--sections", "--write-wheel", "--write-rail"};
+  for (const auto& [name, range] : kNumbers) options.push_back(name);
   std::set<std::string> seen;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& option = arguments[i];
@@ -106,12 +117,15 @@ std::string WheelRailContactArguments::parse(const std::vector<std::string>& arg
       help = true;
       return {};
     }
-    if (kNumbers.count(option) == 0 && others.count(option) == 0) return option + ": unknown option";
+    if (std::find(options.begin(), options.end(), option) == options.end()) return rail::unknownOption(option, options);
     if (!seen.insert(option).second) return option + ": given twice";
-    if (++i == arguments.size()) return option + ": needs a value after it";
+    if (++i == arguments.size() || rail::isOption(arguments[i])) return option + ": needs a value after it";
     const std::string wrong = take(option, arguments[i]);
     if (!wrong.empty()) return wrong;
   }
+  const bool writes = !wheel_copy.empty() || !rail_copy.empty();
+  contacts = !writes || seen.count("--load") + seen.count("--lateral") > 0;
+  if (!contacts) return {};
   if (seen.count("--load") == 0) return "--load: must be given (N)";
   if (seen.count("--lateral") == 0) return "--lateral: must be given (mm)";
   return {};

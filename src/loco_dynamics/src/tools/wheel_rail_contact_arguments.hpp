@@ -17,6 +17,9 @@ struct WheelRailContactArguments {
   double friction = 0.3;
   std::vector<double> lateral_mm;  ///< + right
   std::string sections_file;       ///< where to write the cross-sections; empty: nowhere
+  std::string wheel_copy;          ///< where to write the wheel's points
+  std::string rail_copy;
+  bool contacts = true;  ///< false: points are to be written, nothing else
   bool help = false;
 
   /// @return empty, or what is wrong with the command line

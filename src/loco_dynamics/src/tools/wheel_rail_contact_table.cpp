@@ -17,6 +17,7 @@ namespace loco {
 
 namespace {
 
+constexpr char kProgram[] = "wheel_rail_contact";
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kMillimetresPerMetre = 1e3;
 
@@ -38,9 +39,13 @@ ProfilePoints findProfile(ProfileKind kind, const std::string& option, const std
     text.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
   }
   if (text.empty()) {
+    const std::vector<std::string>& names = is_wheel ? wheelProfileNames() : railProfileNames();
     std::string known;
-    for (const std::string& each : is_wheel ? wheelProfileNames() : railProfileNames()) known += each + ", ";
-    problems.add(option + " " + name, "", "must be one of " + known + "or a CSV file that can be read");
+    for (const std::string& each : names) known += each + ", ";
+    const std::string near = rail::nearestWord(name, names);
+    problems.add(kProgram, option + " " + name,
+                 "must be one of " + known + "or a CSV file that can be read" +
+                     (near.empty() ? "" : ", did you mean " + near + "?"));
     return {};
   }
   return readProfileCsv(kind, text, name, problems);
@@ -87,6 +92,23 @@ bool writeSections(const std::string& path, const WheelRailGeometry& geometry) {
   return static_cast<bool>(file.flush());
 }
 
+/// A new file with the points of a profile. Adds the problem if it cannot be written or is there already: it may be
+/// somebody's measured wheel.
+void writeCopy(ProfileKind kind, const std::string& option, const std::string& path, const ProfilePoints& points,
+               rail::Problems& problems) {
+  if (path.empty()) return;
+  const std::string given = option + " " + path;
+  std::error_code unreadable;
+  if (std::filesystem::exists(path, unreadable)) {
+    problems.add(kProgram, given, "is there already: remove it first, or give another name");
+    return;
+  }
+  std::ofstream file(path);
+  file << profileCsv(kind, points);
+  file.close();
+  if (!file) problems.add(kProgram, given, "cannot be written");
+}
+
 /// @return false if a displacement was refused
 bool writeTable(const WheelRailContactArguments& arguments, const WheelRailGeometry& geometry, std::ostream& output,
                 std::ostream& errors) {
@@ -130,9 +152,14 @@ int wheelRailContactProgram(const std::vector<std::string>& arguments, std::ostr
   const ProfilePoints wheel = findProfile(ProfileKind::kWheel, "--wheel", parsed.wheel, problems);
   const ProfilePoints rail = findProfile(ProfileKind::kRail, "--rail", parsed.rail, problems);
   if (problems.empty()) {
+    writeCopy(ProfileKind::kWheel, "--write-wheel", parsed.wheel_copy, wheel, problems);
+    writeCopy(ProfileKind::kRail, "--write-rail", parsed.rail_copy, rail, problems);
+  }
+  if (problems.empty() && !parsed.contacts) return 0;
+  if (problems.empty()) {
     const WheelRailGeometry geometry(wheel, rail, parsed.dimensions);
     for (const WheelRailGeometry::Misfit& misfit : geometry.findMisfits()) {
-      problems.add("wheel_rail_contact", optionOf(misfit.key), misfit.rule);
+      problems.add(kProgram, optionOf(misfit.key), misfit.rule);
     }
     if (problems.empty()) {
       if (!parsed.sections_file.empty() && !writeSections(parsed.sections_file, geometry)) {

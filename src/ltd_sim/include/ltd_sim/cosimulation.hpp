@@ -57,6 +57,7 @@ class Cosimulation {
  private:
   void sendForces();
   bool takeCommand();
+  void noteRefusal(const std::string& fault);
   bool gatherAnswers();
   std::string modelFailure() const;
   double locationOfFault() const;
@@ -77,7 +78,8 @@ class Cosimulation {
   Outcome outcome_;
   bool under_way_ = false;
   bool asks_driver_ = false;
-  std::string silence_;  ///< since when the driver has been silent, in words; empty: he has not
+  std::string silence_;                       ///< since when the driver has been silent, in words; empty: he has not
+  std::vector<std::string> refused_answers_;  ///< the driver's, each fault where it came first, in words
   double largest_drift_mps_ = 0.0;
 };
 

@@ -159,7 +159,9 @@ class GraphTest(unittest.TestCase):
         self.graph.start([program("ltd_sim", "example_driver"), "_notches:=[[0, 1], [2, 9]]"])
         self.graph.wait_for_text(train, "the driver's answer to step 1000 was refused: notch = 9: must be 0 to 8")
         self.assertEqual(self.graph.wait_for_end(train), 1, self.graph.text(train))  # braked to a stand: he is silent
-        self.assertRegex(outcome_of(self.graph.out)["reason"], r"no answer within 1 s to the question of 2\.000 s")
+        outcome = outcome_of(self.graph.out)
+        self.assertRegex(outcome["reason"], r"no answer within 1 s to the question of 2\.000 s")
+        self.assertIn("driver: answer to the question of 2.000 s refused: notch = 9: must be 0 to 8", outcome["notes"])
 
     def test_a_first_answer_that_is_refused_leaves_the_first_deadline_as_it_is(self):
         train = self.start_external("driver.answer_deadline_s=1 run.end_time_s=4")

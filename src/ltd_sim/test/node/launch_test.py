@@ -57,13 +57,17 @@ class LaunchTest(unittest.TestCase):
 
     def check_list(self, outcome, name):
         self.assertEqual(outcome["outcome"], "refused")
-        self.assertIn("scenario %s does not exist; there are: %s" % (name, ", ".join(SCENARIOS)), outcome["reason"])
+        self.assertIn("scenario %s does not exist, did you mean " % name, outcome["reason"])
+        listed = outcome["reason"].rpartition("there are: ")[2].split(", ")
+        self.assertEqual(sorted(listed), sorted(SCENARIOS))
+        return outcome
 
     def test_a_model_that_does_not_exist_is_answered_with_the_scenarios_that_do(self):
         self.check_list(self.outcome_of_launch("paper.launch", "model:=4d"), "paper_4d")
 
     def test_a_name_that_does_not_exist_is_answered_with_the_scenarios_that_do(self):
-        self.check_list(self.outcome_of_launch("scenario.launch", "scenario:=wet_strech"), "wet_strech")
+        outcome = self.check_list(self.outcome_of_launch("scenario.launch", "scenario:=wet_strech"), "wet_strech")
+        self.assertIn("config/scenarios/wet_stretch.yaml?", outcome["reason"])
 
     def test_a_scenario_goes_by_its_name(self):
         outcome = self.outcome_of_launch("scenario.launch", "scenario:=paper_1d", "record:=false", "set:=run.end_time_s=1")
@@ -91,7 +95,7 @@ class LaunchTest(unittest.TestCase):
 
     def test_a_relative_file_counts_from_where_roslaunch_was_called(self):
         outcome = self.outcome_of_launch("scenario.launch", "scenario:=mine/run.yaml")
-        self.assertIn("mine/run.yaml: scenario run does not exist; there are none in mine", outcome["reason"])
+        self.assertIn("mine/run.yaml: scenario run does not exist; ", outcome["reason"])
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ struct CsvTable {
   std::vector<std::string> columns;
   std::vector<std::vector<double>> rows;  ///< rows[i][j] belongs to columns[j]
   std::vector<int> line_of_row;           ///< 1-based line in the text
+  int line_of_header = 1;
 
   /// Index of a column; -1 if there is none.
   int column(const std::string& name) const;

@@ -42,4 +42,10 @@ class Problems {
 /// The member of `known` nearest to `word` by edit distance, or "" if none is near enough to be a misspelling.
 std::string nearestWord(const std::string& word, const std::vector<std::string>& known);
 
+/// `known` with the likeliest meant first: those that `word` is a misspelt beginning of (`emergncy` of
+/// `emergency_stop`), fewest slips first.
+std::vector<std::string> nearestFirst(const std::string& word, std::vector<std::string> known);
+/// True if `word` is `candidate` or a beginning of it, but for some slips.
+bool isMisspeltBeginning(const std::string& word, const std::string& candidate);
+
 }  // namespace rail

@@ -17,4 +17,7 @@ enum class ProfileKind { kWheel, kRail };
 ProfilePoints readProfileCsv(ProfileKind kind, const std::string& text, const std::string& file,
                              rail::Problems& problems);
 
+/// A profile as the text of a file that readProfileCsv reads, with all digits and a comment on its frame.
+std::string profileCsv(ProfileKind kind, const ProfilePoints& points);
+
 }  // namespace loco
