@@ -106,6 +106,7 @@ bool Cosimulation::tryCommit() {
   if (!gatherAnswers()) return false;
   before_ = state_;
   std::string fault = modelFailure();  // first: of an answer that failed nothing else holds
+  state_.limit_watch.look(forces_.view);
   if (fault.empty()) fault = dynamics_.step(state_, forces_, answers_);
   if (fault.empty()) fault = checkSpeeds();
   if (!fault.empty()) {
@@ -221,6 +222,7 @@ std::string Cosimulation::runaway() const {
 std::vector<std::string> Cosimulation::notes() const {
   std::vector<std::string> told = scenario_.driver.notes(state_.driver);
   if (!silence_.empty()) told.push_back(silence_);
+  if (state_.limit_watch.times > 0) told.push_back(state_.limit_watch.note());
   for (std::size_t i = 0; i < state_.supply.size(); ++i) {
     if (state_.store_empty_at[i] < 0) continue;
     char text[96];

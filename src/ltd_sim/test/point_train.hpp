@@ -36,6 +36,7 @@ inline ltd::TrainAbility ability(double traction_strength = 1.0) {
   ability.dynamic_brake_N = dynamicForce;
   ability.full_service_N = fullService;
   ability.resistance_N = davis;
+  ability.brake_response = {3.0, 0.2, 3.0, 0.2, 10.0, 15.0};  // of the 5 s in which the shoes follow below
   return ability;
 }
 

@@ -42,15 +42,15 @@ TEST(TimetableLineTest, RunningTimeOfUniformAccelerationCruisingAndBraking) {
   const ltd::TimetableLine line(track, constantPull(0.1), 0.2, 0.0);
   // 0.1 m/s2 to 10 m/s: 100 s and 500 m; 3250 m at 10 m/s: 325 s; 0.2 m/s2 to 0: 50 s and 250 m. Cells of 10 m split
   // the kinks by a second at most.
-  EXPECT_NEAR(line.runningTime(1000.0, 0.0, 5000.0, true, 10.0), 100.0 + 325.0 + 50.0, 1.0);
-  EXPECT_NEAR(line.runningTime(1000.0, 10.0, 5000.0, false, 10.0), 400.0, 1e-6);
+  EXPECT_NEAR(line.runningTime(1000.0, 0.0, 5000.0, 0.2, 10.0), 100.0 + 325.0 + 50.0, 1.0);
+  EXPECT_NEAR(line.runningTime(1000.0, 10.0, 5000.0, 0.0, 10.0), 400.0, 1e-6);
 }
 
 TEST(TimetableLineTest, AGradeTakesItsShareOfThePull) {
   const rail::Track track = drivers::line("{from_km: 0, grade_permille: 5}", "{from_km: 0, limit_kmph: 72}");
   const ltd::TimetableLine line(track, constantPull(0.1), 0.2, 0.0);
   const double a = 0.1 - 0.005 * rail::kGravity_mps2;  // uphill
-  EXPECT_NEAR(line.runningTime(1000.0, 0.0, 2000.0, false, 20.0), std::sqrt(2.0 * 1000.0 / a), 0.5);
+  EXPECT_NEAR(line.runningTime(1000.0, 0.0, 2000.0, 0.0, 20.0), std::sqrt(2.0 * 1000.0 / a), 0.5);
 }
 
 TEST(TimetableLineTest, SlowerCruisingTakesLonger) {
@@ -58,7 +58,7 @@ TEST(TimetableLineTest, SlowerCruisingTakesLonger) {
   const ltd::TimetableLine line(track, drivers::ability(), 0.2, 0.0);
   double last_s = 1e9;
   for (double v = 3.0; v <= 20.0; v += 0.5) {
-    const double time_s = line.runningTime(1000.0, 5.0, 15000.0, true, v);
+    const double time_s = line.runningTime(1000.0, 5.0, 15000.0, 0.2, v);
     EXPECT_LT(time_s, last_s);
     last_s = time_s;
   }

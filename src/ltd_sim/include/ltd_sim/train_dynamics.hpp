@@ -7,6 +7,7 @@
 #include "loco_dynamics/exchange.hpp"
 #include "ltd_sim/air_brake.hpp"
 #include "ltd_sim/driver.hpp"
+#include "ltd_sim/limit_watch.hpp"
 #include "ltd_sim/train_model.hpp"
 #include "rail_core/energy_account.hpp"
 #include "rail_core/track.hpp"
@@ -39,6 +40,7 @@ struct TrainState {
   bool moved = false;                             ///< the train has been on its way
   rail::Nanoseconds standing_since = -1;          ///< at rest since then, having moved; -1: not
   rail::Nanoseconds slow_since = -1;              ///< traction on and below the stall speed since then; -1: not
+  LimitWatch limit_watch;
   rail::EnergyAccount account;                    ///< stored energies: as of the last updateStoredEnergies()
 };
 
