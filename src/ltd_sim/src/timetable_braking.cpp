@@ -155,24 +155,33 @@ double TimetableDriver::moreAir(const DriverView& view, const State& state, cons
   return std::max(now_Pa, DriverControls::reductionFor((wanted - kAirShare * dynamic) / there, ability_));
 }
 
-/// Less as soon as the dynamic brake can do it, if the train would not become too fast afterwards.
+/// Less as soon as the dynamic brake can do it, as far as the train would not become too fast afterwards.
 double TimetableDriver::lessAir(const DriverView& view, const State& state, const Course& course) const {
   const DriverControls::State& controls = state.controls;
   const double now_Pa = controls.reduction_Pa, full_Pa = ability_.full_service_reduction_Pa;
-  const bool first = now_Pa == DriverControls::kFirstReduction_Pa;  // it may be more than he needs
-  const int holds = first && graduated_release_ ? 1 : kEasing;
-  if (now_Pa <= 0.0 || view.t - controls.air_changed < holds * controls_.settings.air_hold) return now_Pa;
+  if (now_Pa <= 0.0) return 0.0;
   const double delay_s = std::max(reaction_s_, ability_.brake_response.equivalentDelay(now_Pa / full_Pa, 0.0));
   Course idle = course;
   idle.locomotives_mps2 = 0.0;
   const Ahead slow = lookAhead(view, state, idle, delay_s, delay_s);
-  const double less_Pa = graduated_release_ ? easedReduction(slow, view, state) : directRelease(slow, view, state);
-  if (less_Pa >= now_Pa) return now_Pa;
+  const bool first = now_Pa == DriverControls::kFirstReduction_Pa;  // it may be more than he needs
+  const bool down = slopeAt(view.location_m, state) < 0.0 || slopeAt(slow.s_m, state) < 0.0;
+  const bool soon = graduated_release_ && (first || down || controls.last_air_move < 0);
+  if (view.t - controls.air_changed < (soon ? 1 : kEasing) * controls_.settings.air_hold) return now_Pa;
+  double less_Pa = graduated_release_ ? easedReduction(slow, view, state) : directRelease(slow, view, state);
   Course eased = fullDynamicBrake(view, course);
-  eased.air_share = less_Pa / full_Pa;
   eased.air_delay_s = ability_.brake_response.release_delay_s;
-  const Ahead after = lookAhead(view, state, eased, delay_s + kSafe_s, 0.0);
-  return after.excess_mps > 0.0 ? now_Pa : less_Pa;
+  for (; less_Pa < now_Pa; less_Pa = leastAbove(less_Pa)) {
+    eased.air_share = less_Pa / full_Pa;
+    if (lookAhead(view, state, eased, delay_s + kSafe_s, 0.0).excess_mps <= 0.0) return less_Pa;
+    if (!graduated_release_) break;
+  }
+  return now_Pa;
+}
+
+/// The next larger reduction that brakes hold with graduated release.
+double TimetableDriver::leastAbove(double reduction_Pa) const {
+  return std::max(reduction_Pa + DriverControls::kReductionStep_Pa, ability_.full_release_reduction_Pa + kHeld_Pa);
 }
 
 /// What the dynamic brake leaves to the air where the train is then, the speed being right.

@@ -17,7 +17,9 @@ constexpr double kReserve = 0.85;        // chosen: of what full service gives; 
 
 TimetableLine::TimetableLine(const rail::Track& track, const TrainAbility& ability, double deceleration_mps2,
                              double margin_mps)
-    : start_m_(track.start_m()), deceleration_mps2_(deceleration_mps2) {
+    : start_m_(track.start_m()),
+      deceleration_mps2_(deceleration_mps2),
+      release_per_s_(ability.brake_response.release_per_s) {
   const double length_m = track.end_m() - track.start_m();
   cells_.resize(static_cast<std::size_t>(std::ceil(length_m / kCell_m)));
   buildLimits(track, ability, margin_mps);
@@ -26,14 +28,22 @@ TimetableLine::TimetableLine(const rail::Track& track, const TrainAbility& abili
   buildCurves();
 }
 
+/// Backwards from the line's end. The brakes let go as late as they bite: towards a limit the deceleration fades with
+/// rho = a release's F_full/m, so that the train is free again where it has the speed.
 void TimetableLine::buildCurves() {
   smallest_speed_mps_ = cells_.back().limit_mps;
   double ahead = cells_.back().limit_mps;  // nothing is known beyond the end
+  double down_to = ahead;                  // the limit that the curve reaches
   for (std::size_t i = cells_.size(); i-- > 0;) {
     Cell& cell = cells_[i];
-    cell.deceleration_mps2 = deceleration(i, ahead);
-    ahead = std::min(cell.limit_mps, std::sqrt(ahead * ahead + 2.0 * cell.deceleration_mps2 * kCell_m));  // (V4)
-    cell.permitted_mps = ahead;
+    const double rho = release_per_s_ * between(full_mps2_, ahead);
+    const double root = std::sqrt(std::max(0.0, ahead - down_to)) + std::sqrt(0.5 * rho) * kCell_m / ahead;
+    const double a = deceleration(i, ahead);
+    const double braked = std::min(std::sqrt(ahead * ahead + 2.0 * a * kCell_m), down_to + root * root);  // (V4)
+    if (cell.limit_mps <= braked) down_to = cell.limit_mps;
+    cell.permitted_mps = std::min(cell.limit_mps, braked);
+    cell.deceleration_mps2 = std::max(0.0, 0.5 * (cell.permitted_mps * cell.permitted_mps - ahead * ahead) / kCell_m);
+    ahead = cell.permitted_mps;
     smallest_speed_mps_ = std::min(smallest_speed_mps_, cell.limit_mps);
   }
 }
@@ -110,7 +120,7 @@ double TimetableLine::permittedSpeed(double s_m) const {
   const Cell& cell = cells_[i];
   const double next = i + 1 < cells_.size() ? cells_[i + 1].permitted_mps : cell.limit_mps;
   const double left_m = std::max(0.0, start_m_ + kCell_m * static_cast<double>(i + 1) - s_m);
-  return std::min(cell.limit_mps, std::sqrt(next * next + 2.0 * cell.deceleration_mps2 * left_m));  // (V4)
+  return std::min(cell.limit_mps, std::sqrt(next * next + 2.0 * cell.deceleration_mps2 * left_m));
 }
 
 /// Linear in a table over speed, constant beyond it.
@@ -131,7 +141,7 @@ double TimetableLine::runningTime(double from_m, double v_mps, double to_m, doub
     double cap = std::min({cruise_mps, cells_[i].limit_mps, permittedSpeed(next)});
     if (stop) cap = std::min(cap, std::sqrt(2.0 * stop_mps2 * (to_m - next)));                  // (V5)
     double v2 = v * v + 2.0 * (between(pull_mps2_, v) - cells_[i].loss_mps2) * d;               // (V6)
-    if (v2 > cap * cap) v2 = std::max(cap * cap, v * v - 2.0 * cells_[i].deceleration_mps2 * d);
+    if (v2 > cap * cap) v2 = std::max(cap * cap, v * v - 2.0 * deceleration(i, v) * d);
     const double v_next = std::sqrt(std::max(v2, 0.0));
     time_s += 2.0 * d / std::max(v + v_next, kCrawl_mps);
     v = std::max(v_next, stop && next >= to_m ? 0.0 : kCrawl_mps);

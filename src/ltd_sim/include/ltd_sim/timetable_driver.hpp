@@ -99,6 +99,7 @@ class TimetableDriver {
   void moveAir(const DriverView& view, State& state, const DriverCommand& lead) const;
   double moreAir(const DriverView& view, const State& state, const Course& course) const;
   double lessAir(const DriverView& view, const State& state, const Course& course) const;
+  double leastAbove(double reduction_Pa) const;
   double easedReduction(const Ahead& then, const DriverView& view, const State& state) const;
   double directRelease(const Ahead& then, const DriverView& view, const State& state) const;
   void setReduction(double reduction_Pa, const DriverView& view, State& state) const;

@@ -23,7 +23,8 @@ class TimetableLine {
   TimetableLine(const rail::Track& track, const TrainAbility& ability, double deceleration_mps2, double margin_mps);
 
   /// Highest speed at s from which all lower limits ahead are reached by a_s:                                (V4)
-  ///   v_p(s)^2 = min(v_lim(s)^2, v_p(s + d)^2 + 2 a_s d),   a_s = min(a, 0.85 (F_full(v)/m + loss(s)))
+  ///   v_p(s)^2 = min(v_lim(s)^2, v_p(s + d)^2 + 2 a_s d)
+  ///   a_s = min(a, 0.85 (F_full(v)/m + loss(s)), sqrt(2 rho (v - v_lim ahead))),   rho = release F_full/m
   double permittedSpeed(double s_m) const;
 
   /// a_s of the curve to a stop: the smallest on the way to it from the line's largest speed [m/s2].
@@ -47,7 +48,7 @@ class TimetableLine {
     double limit_mps;      ///< margin taken off
     double permitted_mps;  ///< at the cell's start
     double loss_mps2;      ///< deceleration by grade and curves
-    double deceleration_mps2;  ///< a_s
+    double deceleration_mps2;  ///< of the braking curve through it; 0: none
   };
   void buildLimits(const rail::Track& track, const TrainAbility& ability, double margin_mps);
   void buildLosses(const rail::Track& track, const TrainAbility& ability);
@@ -59,6 +60,7 @@ class TimetableLine {
 
   double start_m_ = 0.0;
   double deceleration_mps2_ = 0.0;
+  double release_per_s_ = 0.0;  ///< of the air brake
   double smallest_speed_mps_ = 0.0, largest_speed_mps_ = 0.0;
   std::vector<Cell> cells_;
   std::vector<double> pull_mps2_;  ///< acceleration by full traction against resistance, every kTableStep_mps
