@@ -21,7 +21,8 @@ void LimitWatch::look(const DriverView& view) {
 std::string LimitWatch::note() const {
   if (times == 0) return {};
   char text[160];
-  std::snprintf(text, sizeof text, "speed limit exceeded %llu time%s, worst at %.3f km: %.1f km/h where %.1f are allowed",
+  std::snprintf(text, sizeof text,
+                "speed limit exceeded %llu time%s, worst at %.3f km: %.1f km/h where %.1f are allowed",
                 static_cast<unsigned long long>(times), times == 1 ? "" : "s", location_m / rail::kMetresPerKilometre,
                 speed_mps * rail::kKmphPerMps, limit_mps * rail::kKmphPerMps);
   return text;

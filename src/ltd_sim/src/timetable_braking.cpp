@@ -18,14 +18,14 @@ constexpr double kTrimBand_mps = 1.0;    // chosen: downhill the speed may fall 
 constexpr double kCurveBand_mps = 0.25;  // chosen: likewise on the curve down to a limit or a stop
 constexpr double kSlowBand_mps = 0.5;    // chosen: as slow as this the air alone must make the train before it is eased
 constexpr double kReleaseBand_mps = 3.0;  // chosen: 11 km/h, or direct brakes would be applied and released in turn
-constexpr double kEasedShare = 0.95;     // chosen: as soon as the dynamic brake can do it with this share, air is eased
-constexpr double kAirShare = 0.8;        // chosen: air is set so that the dynamic brake can trim both ways
-constexpr double kHysteresis = 0.3;      // chosen, of a step of the pipe
-constexpr double kSafe_s = 10.0;         // chosen: so long after a release the speed must still be right
-constexpr double kSettled_s = 5.0;       // chosen: after that what is felt counts, not what was reckoned
-constexpr double kNotchTime_s = 1.0;     // as in driver_controls.cpp: a notch a second to a far one
-constexpr int kEasing = 5;               // chosen: air is eased after five times the hold
-constexpr double kHeld_Pa = 0.05e5;      // chosen: so much above the reduction that lets brakes go
+constexpr double kEasedShare = 0.95;  // chosen: as soon as the dynamic brake can do it with this share, air is eased
+constexpr double kAirShare = 0.8;     // chosen: air is set so that the dynamic brake can trim both ways
+constexpr double kHysteresis = 0.3;   // chosen, of a step of the pipe
+constexpr double kSafe_s = 10.0;      // chosen: so long after a release the speed must still be right
+constexpr double kSettled_s = 5.0;    // chosen: after that what is felt counts, not what was reckoned
+constexpr double kNotchTime_s = 1.0;  // as in driver_controls.cpp: a notch a second to a far one
+constexpr int kEasing = 5;            // chosen: air is eased after five times the hold
+constexpr double kHeld_Pa = 0.05e5;   // chosen: so much above the reduction that lets brakes go
 constexpr double kStanding_mps = 0.05;
 
 }  // namespace
@@ -44,8 +44,8 @@ double TimetableDriver::wantedBrake(const Ahead& ahead, const DriverView& view, 
   const double permitted = permittedSpeed(ahead.s_m, state);
   const double reference = std::min(permitted, state.cruise_mps + kBrakeBand_mps);
   const double a_ref = reference < permitted ? 0.0 : slopeAt(ahead.s_m, state);
-  const double known = (view.grade_N + view.resistance_N) / ability_.mass_kg + line_.loss(view.location_m) -
-                       line_.loss(ahead.s_m);
+  const double known =
+      (view.grade_N + view.resistance_N) / ability_.mass_kg + line_.loss(view.location_m) - line_.loss(ahead.s_m);
   return std::max(0.0, known - a_ref - kBrakeP_1ps * (reference - ahead.speed_mps));
 }
 
@@ -97,8 +97,7 @@ TimetableDriver::Ahead TimetableDriver::lookAhead(const DriverView& view, const 
       share = std::clamp(course.air_share, share - kLookStep_s * response.release_per_s,
                          share + kLookStep_s * response.fill_per_s);
     ahead.air_mps2 = share * line_.fullService(ahead.speed_mps);
-    const double a =
-        known - line_.loss(ahead.s_m) + pull + done * (course.locomotives_mps2 - pull) - ahead.air_mps2;
+    const double a = known - line_.loss(ahead.s_m) + pull + done * (course.locomotives_mps2 - pull) - ahead.air_mps2;
     const double v = std::max(0.0, ahead.speed_mps + kLookStep_s * a);
     ahead.s_m += 0.5 * kLookStep_s * (ahead.speed_mps + v);
     ahead.speed_mps = v;
@@ -211,8 +210,7 @@ void TimetableDriver::setReduction(double reduction_Pa, const DriverView& view, 
   const BrakeResponse& response = ability_.brake_response;
   const double first_Pa = ability_.first_reduction_Pa, full_Pa = ability_.full_service_reduction_Pa;
   const double of_full = std::clamp((before_Pa - first_Pa) / std::max(full_Pa - first_Pa, 1.0), 0.0, 1.0);
-  const double free_s =
-      response.free_from_first_s + of_full * (response.free_from_full_s - response.free_from_first_s);
+  const double free_s = response.free_from_first_s + of_full * (response.free_from_full_s - response.free_from_first_s);
   if (reduction_Pa == 0.0) state.tail_free = view.t + static_cast<rail::Nanoseconds>(std::llround(free_s * 1e9));
   controls.last_air_move = reduction_Pa > before_Pa ? 1 : -1;
   controls.reduction_Pa = reduction_Pa;

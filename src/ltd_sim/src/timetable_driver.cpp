@@ -156,8 +156,7 @@ double TimetableDriver::wantedTraction(const DriverView& view, State& state, con
   const double a_ref = reference < permitted ? 0.0 : slopeAt(s, state);  // (V7)
   const double error = reference - v;
   const double a_p = kP_1ps * (error - std::clamp(error, -kIndifferent_mps, kIndifferent_mps));
-  const double wanted_N =
-      ability_.mass_kg * std::min(a_ref + a_p + state.integral_mps2, kLargestStart_mps2) - known_N;
+  const double wanted_N = ability_.mass_kg * std::min(a_ref + a_p + state.integral_mps2, kLargestStart_mps2) - known_N;
   return view.t < state.tail_free ? std::min(wanted_N, std::max(0.0, -view.grade_N)) : wanted_N;
 }
 

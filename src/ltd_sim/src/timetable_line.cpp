@@ -7,8 +7,8 @@ namespace ltd {
 
 namespace {
 
-constexpr double kCell_m = 10.0;        // chosen, see the class
-constexpr double kSample_m = 1.0;       // chosen: no limit is shorter
+constexpr double kCell_m = 10.0;         // chosen, see the class
+constexpr double kSample_m = 1.0;        // chosen: no limit is shorter
 constexpr double kTableStep_mps = 0.25;  // chosen: traction over speed is smooth on it
 constexpr double kCrawl_mps = 0.5;       // chosen: a train that cannot climb still has a finite running time
 constexpr double kReserve = 0.85;        // chosen: of what full service gives; the rest corrects what he misjudged
@@ -139,8 +139,8 @@ double TimetableLine::runningTime(double from_m, double v_mps, double to_m, doub
     const double next = cell_end > s ? std::min(cell_end, to_m) : to_m;
     const double d = next - s;
     double cap = std::min({cruise_mps, cells_[i].limit_mps, permittedSpeed(next)});
-    if (stop) cap = std::min(cap, std::sqrt(2.0 * stop_mps2 * (to_m - next)));                  // (V5)
-    double v2 = v * v + 2.0 * (between(pull_mps2_, v) - cells_[i].loss_mps2) * d;               // (V6)
+    if (stop) cap = std::min(cap, std::sqrt(2.0 * stop_mps2 * (to_m - next)));     // (V5)
+    double v2 = v * v + 2.0 * (between(pull_mps2_, v) - cells_[i].loss_mps2) * d;  // (V6)
     if (v2 > cap * cap) v2 = std::max(cap * cap, v * v - 2.0 * deceleration(i, v) * d);
     const double v_next = std::sqrt(std::max(v2, 0.0));
     time_s += 2.0 * d / std::max(v + v_next, kCrawl_mps);

@@ -11,7 +11,8 @@ namespace ltd {
 
 namespace {
 
-constexpr double kHoldingMargin = 1.5;  // chosen: a standing train is held with so much more than the grade pulls
+constexpr double kHoldingMargin =
+    1.5;  // chosen; told below. A standing train is held with so much more than the grade pulls
 
 /// A time as whole nanoseconds, to the nearest: it is compared with t, no step depends on it.
 rail::Nanoseconds readTime(rail::YamlReader& reader, const std::string& key, double fallback_s) {
@@ -57,8 +58,7 @@ void TimetableDriver::readPoints(rail::YamlReader& reader, const rail::Track& tr
 void TimetableDriver::readHabits(rail::YamlReader& reader) {
   deceleration_mps2_ = reader.number("service_deceleration_mps2", rail::aboveUpTo(0.0, 2.0));
   graduated_release_ = reader.choice("brake_release", {"direct", "graduated"}) == "graduated";
-  release_above_mps_ =
-      reader.numberOr("release_above_kmph", rail::between(0.0, 100.0), 25.0) / rail::kKmphPerMps;
+  release_above_mps_ = reader.numberOr("release_above_kmph", rail::between(0.0, 100.0), 25.0) / rail::kKmphPerMps;
   margin_mps_ = reader.numberOr("limit_margin_kmph", rail::between(0.0, 20.0), 2.0) / rail::kKmphPerMps;
   late_tolerance_s_ = reader.numberOr("late_tolerance_s", rail::notNegative(), 10.0);
   planning_period_ = readTime(reader, "planning_period_s", 1.0);
@@ -97,14 +97,13 @@ void TimetableDriver::readStops(rail::YamlReader& reader, const rail::Track& tra
     Point& point = points_[i];
     if (!point.stop) continue;
     point.deceleration_mps2 = line_.decelerationTo(point.location_m);
-    const double rise_m =
-        track.at(point.location_m + ability_.ahead_m).height_m - track.at(point.location_m - ability_.behind_m).height_m;
+    const double rise_m = track.at(point.location_m + ability_.ahead_m).height_m -
+                          track.at(point.location_m - ability_.behind_m).height_m;
     const double pull_N = std::fabs(ability_.weight_N * rise_m / length_m);
     if (kHoldingMargin * pull_N > full_N)
       points[i].refuse("location_km", "the train would not stay on the grade there: it pulls with " +
-                                          allDigits(pull_N / 1e3) + " kN, and full service must hold " +
-                                          allDigits(kHoldingMargin) + " times that; it holds " +
-                                          allDigits(full_N / 1e3));
+                                          std::to_string(std::lround(pull_N / 1e3)) + " kN, and full service, " +
+                                          std::to_string(std::lround(full_N / 1e3)) + " kN, must be 1.5 times that");
     else
       point.holding_Pa = DriverControls::reductionFor(full_N > 0.0 ? kHoldingMargin * pull_N / full_N : 0.0, ability_);
   }

@@ -53,6 +53,20 @@ TEST(TimetableDriverTest, TrainsOfDifferentStrengthReachThePointsAtTheSameTimes)
   }
 }
 
+TEST(TimetableDriverTest, OnASteepGradeHeHoldsWithMoreThanTheFirstReduction) {
+  for (const auto& [permille, bar] : {std::pair(0.0, 4.5), {30.0, 3.8}}) {
+    const rail::Track track =
+        drivers::line("{from_km: 0, grade_permille: " + std::to_string(permille) + "}", "{from_km: 0, limit_kmph: 50}");
+    const ltd::Driver driver = timetable("{location_km: 2, stop: true}", track, drivers::ability());
+    PointTrain train(driver, track, 1000.0, 40.0 * kKmph);
+    train.run(900.0, stands);
+    train.run(train.seconds() + 30.0);
+    // 30 permille pull with 0.294 m/s2: 1.5 times that of 0.6 m/s2 are 0.735 of 1.5 bar, in steps of 0.1
+    EXPECT_NEAR(driver.lead(train.state).pipe_pressure_Pa, bar * 1e5, 1.0) << permille;
+    EXPECT_EQ(train.v, 0.0);
+  }
+}
+
 TEST(TimetableDriverTest, StopsOnTheWayWaitsAndGoesOn) {
   const rail::Track track = drivers::line(kLevel, "{from_km: 0, limit_kmph: 80}");
   const ltd::Driver driver =

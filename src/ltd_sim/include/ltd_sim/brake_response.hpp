@@ -17,7 +17,8 @@ struct BrakeResponse {
 
   /// Until a change of the share from x to y is worth as much as if it were there.
   double equivalentDelay(double from, double to) const {
-    return to > from ? delay_s + (to - from) / (2.0 * fill_per_s) : release_delay_s + (from - to) / (2.0 * release_per_s);
+    return to > from ? delay_s + (to - from) / (2.0 * fill_per_s)
+                     : release_delay_s + (from - to) / (2.0 * release_per_s);
   }
 };
 

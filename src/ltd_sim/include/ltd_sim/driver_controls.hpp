@@ -44,7 +44,6 @@ class DriverControls {
   void apply(const Wanted& wanted, const TrainAbility& ability, const DriverView& view, State& state,
              DriverCommand& lead) const;
 
-
   Settings settings;
 
  private:

@@ -45,9 +45,9 @@ class TimetableLine {
 
  private:
   struct Cell {
-    double limit_mps;      ///< margin taken off
-    double permitted_mps;  ///< at the cell's start
-    double loss_mps2;      ///< deceleration by grade and curves
+    double limit_mps;          ///< margin taken off
+    double permitted_mps;      ///< at the cell's start
+    double loss_mps2;          ///< deceleration by grade and curves
     double deceleration_mps2;  ///< of the braking curve through it; 0: none
   };
   void buildLimits(const rail::Track& track, const TrainAbility& ability, double margin_mps);

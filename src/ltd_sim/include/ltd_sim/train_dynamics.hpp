@@ -41,7 +41,7 @@ struct TrainState {
   rail::Nanoseconds standing_since = -1;          ///< at rest since then, having moved; -1: not
   rail::Nanoseconds slow_since = -1;              ///< traction on and below the stall speed since then; -1: not
   LimitWatch limit_watch;
-  rail::EnergyAccount account;                    ///< stored energies: as of the last updateStoredEnergies()
+  rail::EnergyAccount account;  ///< stored energies: as of the last updateStoredEnergies()
 };
 
 /// The forces of one step, all at t_k.
