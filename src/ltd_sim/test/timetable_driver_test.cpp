@@ -136,6 +136,24 @@ TEST(TimetableDriverTest, WithoutDynamicBrakeAirIsAppliedAndReleasedOnceAMinuteA
   }
 }
 
+TEST(TimetableDriverTest, BrakesThatAreSlowToFillAreAppliedSoMuchEarlier) {
+  const rail::Track track = drivers::line(kLevel, "{from_km: 0, limit_kmph: 70}, {from_km: 6, limit_kmph: 40}");
+  ltd::TrainAbility can = drivers::ability();
+  can.brake_notches = 0;
+  for (const double lag_s : {5.0, 20.0}) {
+    const double share_per_s = 0.5 / lag_s;  // half of full service is worth as much after delay 0 + lag
+    can.brake_response = {0.5 * lag_s, share_per_s, 0.5 * lag_s, share_per_s, 2.0 * lag_s, 3.0 * lag_s};
+    const ltd::Driver driver = timetable("{location_km: 20}", track, can,
+                                         "service_deceleration_mps2: 0.3\nbrake_release: graduated\n"
+                                         "limit_margin_kmph: 0\n");
+    PointTrain train(driver, track, 3000.0, 65.0 * kKmph);
+    train.air_lag_s = lag_s;
+    train.run(600.0, [](const PointTrain& x) { return x.s > 6500.0; });
+    EXPECT_LT(train.seen.largest_excess_mps, 0.5 * kKmph) << lag_s;
+    EXPECT_GT(train.seen.smallest_mps, 25.0 * kKmph) << lag_s;  // braked in time he need not brake hard, too late 16
+  }
+}
+
 TEST(TimetableDriverTest, SaysHowLateWhenATimetableCannotBeKept) {
   const rail::Track track = drivers::line(kLevel, "{from_km: 0, limit_kmph: 60}");
   const ltd::Driver driver =
