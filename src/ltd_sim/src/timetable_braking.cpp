@@ -10,7 +10,7 @@ namespace ltd {
 
 namespace {
 
-constexpr double kBrakeBand_mps = 0.5;   // chosen: he brakes for the timetable's sake only this much above cruising
+constexpr double kBrakeBand_mps = 0.75;  // chosen: he brakes for the timetable's sake only this much above cruising
 constexpr double kBrakeP_1ps = 0.05;     // chosen: what is left of an error after it was foreseen is taken off in 20 s
 constexpr double kLookStep_s = 0.5;      // chosen: short against the filling of cylinders
 constexpr double kLook_s = 15.0;         // chosen: how far ahead the dynamic brake is trimmed on a grade
