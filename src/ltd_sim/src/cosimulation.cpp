@@ -124,6 +124,7 @@ bool Cosimulation::tryCommit() {
         fault + " in step " + std::to_string(state_.step) + " at " + kilometres(locationOfFault()));
     return true;
   }
+  state_.limit_watch.look(forces_.view);
   before_ = state_;  // of the large state, what the observers see
   dynamics_.advance(state_, forces_, answers_);
   for (std::size_t i = 0; i < ports_.size(); ++i) {
@@ -180,6 +181,7 @@ std::vector<std::string> Cosimulation::notes() const {
   std::vector<std::string> told = scenario_.driver.notes(state_.driver);
   told.insert(told.end(), refused_answers_.begin(), refused_answers_.end());
   if (!silence_.empty()) told.push_back(silence_);
+  if (state_.limit_watch.times > 0) told.push_back(state_.limit_watch.note());
   for (std::size_t i = 0; i < state_.supply.size(); ++i) {
     if (state_.store_empty_at[i] < 0) continue;
     char text[96];

@@ -81,6 +81,7 @@ Driver Driver::read(rail::YamlReader reader, const std::vector<std::string>& gro
   rail::YamlReader map = reader.map("groups");
   for (std::size_t i = 0; i < groups.size(); ++i)
     driver.groups_.push_back(readGroup(map.map(groups[i]), largest_notch[i], largest_brake_notch[i]));
+  for (const Group& group : driver.groups_) driver.longest_delay_ = std::max(driver.longest_delay_, group.delay);
   map.finish();
   reader.finish();
   return driver;
@@ -90,10 +91,19 @@ void Driver::command(const DriverView& view, State& state) const {
   if (schedule_) state.lead = schedule_->at(view.t, view.location_m);
   if (timetable_) timetable_->command(view, state.timetable, state.lead);
   if (asksAt(view.t)) state.lead = state.given;
+  remember(view.t, state);
+}
+
+/// Notes a change of the notches; allocates only when more of them lie within the longest delay than ever before.
+void Driver::remember(rail::Nanoseconds t, State& state) const {
+  std::vector<State::Change>& changes = state.changes;
   const DriverCommand& lead = state.lead;
-  if (state.changes.empty() || state.changes.back().notch != lead.notch ||
-      state.changes.back().brake_notch != lead.brake_notch)
-    state.changes.push_back({view.t, lead.notch, lead.brake_notch});
+  if (!changes.empty() && changes.back().notch == lead.notch && changes.back().brake_notch == lead.brake_notch) return;
+  std::size_t past = 0;  // so many are before the one that the most delayed group obeys now
+  while (past + 1 < changes.size() && changes[past + 1].time <= t - longest_delay_) ++past;
+  if (longest_delay_ == 0 && !changes.empty()) past = changes.size();
+  changes.erase(changes.begin(), changes.begin() + static_cast<std::ptrdiff_t>(past));
+  changes.push_back({t, lead.notch, lead.brake_notch});
 }
 
 DriverCommand Driver::groupCommand(std::size_t group, rail::Nanoseconds t, const State& state) const {

@@ -16,7 +16,6 @@ constexpr double kP_1ps = 0.1;      // chosen: 1 m/s too slow asks for 0.1 m/s2,
 constexpr double kI_1ps2 = 0.0005;  // chosen: 20 times slower than P, for what the feed-forward does not know
 constexpr double kLargestIntegral_mps2 = 0.02;  // chosen: 2 permille of grade
 constexpr double kLargestStart_mps2 = 0.5;      // chosen: more than a freight train's traction gives
-constexpr double kBrakeBand_mps = 0.5;     // chosen: he brakes for the timetable's sake only this much above cruising
 constexpr double kIndifferent_mps = 0.25;  // chosen: 1 km/h that he does not answer, or notches would follow each other
 // Downhill he leaves to the grade what it gains within a minute, up to 14 km/h; both chosen.
 constexpr double kRolls_mps = 4.0;
@@ -34,9 +33,7 @@ std::string kilometres(double s_m) { return rail::fixedNumber(s_m / rail::kMetre
 
 void TimetableDriver::command(const DriverView& view, State& state, DriverCommand& lead) const {
   if (state.started && view.t < state.next_control) return;
-  if (!state.started)  // what lies behind the start is not on the timetable
-    while (nextPoint(state) && nextPoint(state)->location_m < view.location_m) ++state.point;
-  state.started = true;
+  if (!state.started) start(view, state);
   state.next_control = view.t + kControlPeriod;
   passPoints(view, state);
   if (state.waiting && view.t >= state.departure) {
@@ -52,6 +49,14 @@ void TimetableDriver::command(const DriverView& view, State& state, DriverComman
     hold(view, state, lead);
   else
     drive(view, state, lead);
+}
+
+/// What lies behind the start is not on the timetable, and the pipe's pressure tells whether the train is braked.
+void TimetableDriver::start(const DriverView& view, State& state) const {
+  while (nextPoint(state) && nextPoint(state)->location_m < view.location_m) ++state.point;
+  const double reduction_Pa = std::max(0.0, kChargedPipe_Pa - view.pipe_pressure_Pa);
+  state.controls.reduction_Pa = std::min(reduction_Pa, ability_.full_service_reduction_Pa);
+  state.started = true;
 }
 
 void TimetableDriver::passPoints(const DriverView& view, State& state) const {
@@ -96,8 +101,9 @@ void TimetableDriver::plan(const DriverView& view, State& state) const {
   state.planned = true;
   state.cruise_mps = fastest;
   if (left_s <= 0.0) return;
+  const double stop_mps2 = point->stop ? point->deceleration_mps2 : 0.0;
   const auto time = [&](double cruise_mps) {
-    return line_.runningTime(view.location_m, view.speed_mps, point->location_m, point->stop, cruise_mps);
+    return line_.runningTime(view.location_m, view.speed_mps, point->location_m, stop_mps2, cruise_mps);
   };
   if (time(fastest) >= left_s) return;
   double low = std::min(std::max(kSlowestCruise_mps, kEasing * view.speed_mps), fastest), high = fastest;
@@ -113,33 +119,41 @@ double TimetableDriver::permittedSpeed(double s_m, const State& state) const {
   const Point* const point = nextPoint(state);
   if (!point || !point->stop) return permitted;
   const double left_m = std::max(0.0, point->location_m - s_m);
-  return std::min(permitted, std::sqrt(2.0 * deceleration_mps2_ * left_m));  // (V5)
+  return std::min(permitted, std::sqrt(2.0 * point->deceleration_mps2 * left_m));  // (V5)
+}
+
+/// Acceleration along the permitted speed, <= 0.
+double TimetableDriver::slopeAt(double s_m, const State& state) const {
+  const double permitted = permittedSpeed(s_m, state), after = permittedSpeed(s_m + kSlope_m, state);
+  if (permitted <= 0.0) return -deceleration_mps2_;
+  return std::clamp((after * after - permitted * permitted) / (2.0 * kSlope_m), -deceleration_mps2_, 0.0);
 }
 
 void TimetableDriver::drive(const DriverView& view, State& state, DriverCommand& lead) const {
+  moveAir(view, state, lead);
+  DriverControls::Wanted wanted;
+  wanted.dynamic = wantedDynamicBrake(view, state, lead);
+  wanted.traction_N = wantedTraction(view, state, lead);
+  controls_.apply(wanted, ability_, view, state.controls, lead);
+  if (state.leaving && view.traction_N + view.grade_N > 0.0) state.leaving = false;
+  lead.independent_brake = state.leaving ? 1.0 : 0.0;
+}
+
+/// At the rail. As long as brakes may still drag he pulls no more than the grade asks for.
+double TimetableDriver::wantedTraction(const DriverView& view, State& state, const DriverCommand& lead) const {
   const double known_N = view.grade_N + view.resistance_N;
   double a = (known_N + view.traction_N + view.air_brake_N) / ability_.mass_kg;
   if (view.speed_mps < kStanding_mps) a = std::max(0.0, a);
   const double v = std::max(0.0, view.speed_mps + a * reaction_s_);  // when a command of now has its force
   const double s = view.location_m + 0.5 * (view.speed_mps + v) * reaction_s_;
-  const double permitted = permittedSpeed(s, state);
-  const double after = permittedSpeed(s + kSlope_m, state);
-  const double slope = std::clamp((after * after - permitted * permitted) / (2.0 * kSlope_m), -deceleration_mps2_, 0.0);
-  const auto force = [&](double reference_mps, double integral_mps2) {  // (V7)
-    const double a_ref = reference_mps < permitted ? 0.0 : permitted > 0.0 ? slope : -deceleration_mps2_;
-    const double error = reference_mps - v;
-    const double a_p = kP_1ps * (error - std::clamp(error, -kIndifferent_mps, kIndifferent_mps));
-    return ability_.mass_kg * std::min(a_ref + a_p + integral_mps2, kLargestStart_mps2) - known_N;
-  };
-  const double reference = std::min(permitted, state.cruise_mps);
+  const double permitted = permittedSpeed(s, state), reference = std::min(permitted, state.cruise_mps);
   integrate(reference - view.speed_mps, state, lead);
-  const double brake_reference = std::min(permitted, state.cruise_mps + kBrakeBand_mps);
-  const bool rolls = known_N > 0.0 && reference - v < std::min(kRolls_mps, kRolls_s * known_N / ability_.mass_kg);
-  const DriverControls::Wanted wanted{rolls ? 0.0 : force(reference, state.integral_mps2),
-                                      std::max(0.0, -force(brake_reference, 0.0)), brake_reference - v};
-  controls_.apply(wanted, ability_, view, state.controls, lead);
-  if (state.leaving && view.traction_N + view.grade_N > 0.0) state.leaving = false;
-  lead.independent_brake = state.leaving ? 1.0 : 0.0;
+  if (known_N > 0.0 && reference - v < std::min(kRolls_mps, kRolls_s * known_N / ability_.mass_kg)) return 0.0;
+  const double a_ref = reference < permitted ? 0.0 : slopeAt(s, state);  // (V7)
+  const double error = reference - v;
+  const double a_p = kP_1ps * (error - std::clamp(error, -kIndifferent_mps, kIndifferent_mps));
+  const double wanted_N = ability_.mass_kg * std::min(a_ref + a_p + state.integral_mps2, kLargestStart_mps2) - known_N;
+  return view.t < state.tail_free ? std::min(wanted_N, std::max(0.0, -view.grade_N)) : wanted_N;
 }
 
 /// The integral knows what the feed-forward does not, while traction pulls near the reference; else it would wind up.
@@ -150,9 +164,11 @@ void TimetableDriver::integrate(double error_mps, State& state, const DriverComm
                                    -kLargestIntegral_mps2, kLargestIntegral_mps2);
 }
 
-/// Stands: the air brake and the locomotives' own hold.
+/// Stands, idle: the air brake with what holds the train there, and the locomotives' own.
 void TimetableDriver::hold(const DriverView& view, State& state, DriverCommand& lead) const {
-  controls_.hold(ability_, view, state.controls, lead);
+  const Point* const point = nextPoint(state);
+  setReduction(std::max(state.controls.reduction_Pa, point ? point->holding_Pa : 0.0), view, state);
+  controls_.apply({0.0, {0.0, false, true}}, ability_, view, state.controls, lead);
   lead.independent_brake = 1.0;
 }
 

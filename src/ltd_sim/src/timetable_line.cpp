@@ -7,29 +7,60 @@ namespace ltd {
 
 namespace {
 
-constexpr double kCell_m = 10.0;        // chosen, see the class
-constexpr double kSample_m = 1.0;       // chosen: no limit is shorter
-constexpr double kPullStep_mps = 0.25;  // chosen: traction over speed is smooth on it
-constexpr double kCrawl_mps = 0.5;      // chosen: a train that cannot climb still has a finite running time
+constexpr double kCell_m = 10.0;         // chosen, see the class
+constexpr double kSample_m = 1.0;        // chosen: no limit is shorter
+constexpr double kTableStep_mps = 0.25;  // chosen: traction over speed is smooth on it
+constexpr double kCrawl_mps = 0.5;       // chosen: a train that cannot climb still has a finite running time
+constexpr double kReserve = 0.85;        // chosen: of what full service gives; the rest corrects what he misjudged
 
 }  // namespace
 
 TimetableLine::TimetableLine(const rail::Track& track, const TrainAbility& ability, double deceleration_mps2,
                              double margin_mps)
-    : start_m_(track.start_m()), deceleration_mps2_(deceleration_mps2) {
+    : start_m_(track.start_m()),
+      deceleration_mps2_(deceleration_mps2),
+      release_per_s_(ability.brake_response.release_per_s) {
   const double length_m = track.end_m() - track.start_m();
   cells_.resize(static_cast<std::size_t>(std::ceil(length_m / kCell_m)));
   buildLimits(track, ability, margin_mps);
   buildLosses(track, ability);
-  buildPull(ability);
+  buildForces(ability);
+  buildCurves();
+}
+
+/// Backwards from the line's end. The brakes let go as late as they bite: towards a limit the deceleration fades with
+/// rho = a release's F_full/m, so that the train is free again where it has the speed.
+void TimetableLine::buildCurves() {
   smallest_speed_mps_ = cells_.back().limit_mps;
   double ahead = cells_.back().limit_mps;  // nothing is known beyond the end
-  for (auto cell = cells_.rbegin(); cell != cells_.rend(); ++cell) {
-    ahead = std::min(cell->limit_mps, std::sqrt(ahead * ahead + 2.0 * deceleration_mps2 * kCell_m));  // (V4)
-    cell->permitted_mps = ahead;
-    smallest_speed_mps_ = std::min(smallest_speed_mps_, cell->limit_mps);
-    largest_speed_mps_ = std::max(largest_speed_mps_, cell->limit_mps);
+  double down_to = ahead;                  // the limit that the curve reaches
+  for (std::size_t i = cells_.size(); i-- > 0;) {
+    Cell& cell = cells_[i];
+    const double rho = release_per_s_ * between(full_mps2_, ahead);
+    const double root = std::sqrt(std::max(0.0, ahead - down_to)) + std::sqrt(0.5 * rho) * kCell_m / ahead;
+    const double a = deceleration(i, ahead);
+    const double braked = std::min(std::sqrt(ahead * ahead + 2.0 * a * kCell_m), down_to + root * root);  // (V4)
+    if (cell.limit_mps <= braked) down_to = cell.limit_mps;
+    cell.permitted_mps = std::min(cell.limit_mps, braked);
+    cell.deceleration_mps2 = std::max(0.0, 0.5 * (cell.permitted_mps * cell.permitted_mps - ahead * ahead) / kCell_m);
+    ahead = cell.permitted_mps;
+    smallest_speed_mps_ = std::min(smallest_speed_mps_, cell.limit_mps);
   }
+}
+
+/// a_s of (V4); not below a where there is no air brake to ask, which the reader refuses.
+double TimetableLine::deceleration(std::size_t cell, double v_mps) const {
+  const double most = kReserve * (between(full_mps2_, v_mps) + cells_[cell].loss_mps2);
+  return most > 0.0 ? std::min(deceleration_mps2_, most) : deceleration_mps2_;
+}
+
+double TimetableLine::decelerationTo(double stop_m) const {
+  double least = deceleration_mps2_, v = 0.0;
+  for (std::size_t i = cellAt(stop_m) + 1; i-- > 0 && v < largest_speed_mps_;) {
+    least = std::min(least, deceleration(i, v));
+    v = std::sqrt(v * v + 2.0 * least * kCell_m);
+  }
+  return least;
 }
 
 void TimetableLine::buildLimits(const rail::Track& track, const TrainAbility& ability, double margin_mps) {
@@ -70,12 +101,12 @@ void TimetableLine::buildLosses(const rail::Track& track, const TrainAbility& ab
   }
 }
 
-void TimetableLine::buildPull(const TrainAbility& ability) {
-  double fastest = 0.0;
-  for (const Cell& cell : cells_) fastest = std::max(fastest, cell.limit_mps);
-  for (double v = 0.0; v <= fastest + 2.0 * kPullStep_mps; v += kPullStep_mps) {
+void TimetableLine::buildForces(const TrainAbility& ability) {
+  for (const Cell& cell : cells_) largest_speed_mps_ = std::max(largest_speed_mps_, cell.limit_mps);
+  for (double v = 0.0; v <= largest_speed_mps_ + 2.0 * kTableStep_mps; v += kTableStep_mps) {
     const double resistance_N = ability.resistance_N ? ability.resistance_N(v) : 0.0;
     pull_mps2_.push_back((ability.traction_N(ability.notches, v) - resistance_N) / ability.mass_kg);
+    full_mps2_.push_back((ability.full_service_N ? ability.full_service_N(v) : 0.0) / ability.mass_kg);
   }
 }
 
@@ -86,18 +117,21 @@ std::size_t TimetableLine::cellAt(double s_m) const {
 
 double TimetableLine::permittedSpeed(double s_m) const {
   const std::size_t i = cellAt(s_m);
-  const double next = i + 1 < cells_.size() ? cells_[i + 1].permitted_mps : cells_[i].limit_mps;
+  const Cell& cell = cells_[i];
+  const double next = i + 1 < cells_.size() ? cells_[i + 1].permitted_mps : cell.limit_mps;
   const double left_m = std::max(0.0, start_m_ + kCell_m * static_cast<double>(i + 1) - s_m);
-  return std::min(cells_[i].limit_mps, std::sqrt(next * next + 2.0 * deceleration_mps2_ * left_m));  // (V4)
+  return std::min(cell.limit_mps, std::sqrt(next * next + 2.0 * cell.deceleration_mps2 * left_m));
 }
 
-double TimetableLine::pull(double v_mps) const {
-  const double at = std::min(v_mps / kPullStep_mps, static_cast<double>(pull_mps2_.size() - 1));
-  const auto i = std::min(static_cast<std::size_t>(at), pull_mps2_.size() - 2);
-  return pull_mps2_[i] + (pull_mps2_[i + 1] - pull_mps2_[i]) * (at - static_cast<double>(i));
+/// Linear in a table over speed, constant beyond it.
+double TimetableLine::between(const std::vector<double>& table, double v_mps) const {
+  const double at = std::clamp(v_mps / kTableStep_mps, 0.0, static_cast<double>(table.size() - 1));
+  const auto i = std::min(static_cast<std::size_t>(at), table.size() - 2);
+  return table[i] + (table[i + 1] - table[i]) * (at - static_cast<double>(i));
 }
 
-double TimetableLine::runningTime(double from_m, double v_mps, double to_m, bool stop, double cruise_mps) const {
+double TimetableLine::runningTime(double from_m, double v_mps, double to_m, double stop_mps2, double cruise_mps) const {
+  const bool stop = stop_mps2 > 0.0;
   double time_s = 0.0, s = from_m, v = v_mps;
   for (std::size_t i = cellAt(s); s < to_m; ++i) {
     i = std::min(i, cells_.size() - 1);
@@ -105,9 +139,9 @@ double TimetableLine::runningTime(double from_m, double v_mps, double to_m, bool
     const double next = cell_end > s ? std::min(cell_end, to_m) : to_m;
     const double d = next - s;
     double cap = std::min({cruise_mps, cells_[i].limit_mps, permittedSpeed(next)});
-    if (stop) cap = std::min(cap, std::sqrt(2.0 * deceleration_mps2_ * (to_m - next)));  // (V5)
-    double v2 = v * v + 2.0 * (pull(v) - cells_[i].loss_mps2) * d;                       // (V6)
-    if (v2 > cap * cap) v2 = std::max(cap * cap, v * v - 2.0 * deceleration_mps2_ * d);
+    if (stop) cap = std::min(cap, std::sqrt(2.0 * stop_mps2 * (to_m - next)));     // (V5)
+    double v2 = v * v + 2.0 * (between(pull_mps2_, v) - cells_[i].loss_mps2) * d;  // (V6)
+    if (v2 > cap * cap) v2 = std::max(cap * cap, v * v - 2.0 * deceleration(i, v) * d);
     const double v_next = std::sqrt(std::max(v2, 0.0));
     time_s += 2.0 * d / std::max(v + v_next, kCrawl_mps);
     v = std::max(v_next, stop && next >= to_m ? 0.0 : kCrawl_mps);

@@ -1,6 +1,7 @@
 // The part of TimetableDriver that reads it.
 
 #include <algorithm>
+#include <cmath>
 
 #include "ltd_sim/timetable_driver.hpp"
 #include "rail_core/constants.hpp"
@@ -9,6 +10,9 @@
 namespace ltd {
 
 namespace {
+
+constexpr double kHoldingMargin =
+    1.5;  // chosen; told below. A standing train is held with so much more than the grade pulls
 
 /// A time as whole nanoseconds, to the nearest: it is compared with t, no step depends on it.
 rail::Nanoseconds readTime(rail::YamlReader& reader, const std::string& key, double fallback_s) {
@@ -53,9 +57,8 @@ void TimetableDriver::readPoints(rail::YamlReader& reader, const rail::Track& tr
 
 void TimetableDriver::readHabits(rail::YamlReader& reader) {
   deceleration_mps2_ = reader.number("service_deceleration_mps2", rail::aboveUpTo(0.0, 2.0));
-  controls_.settings.graduated_release = reader.choice("brake_release", {"direct", "graduated"}) == "graduated";
-  controls_.settings.release_above_mps =
-      reader.numberOr("release_above_kmph", rail::between(0.0, 100.0), 25.0) / rail::kKmphPerMps;
+  graduated_release_ = reader.choice("brake_release", {"direct", "graduated"}) == "graduated";
+  release_above_mps_ = reader.numberOr("release_above_kmph", rail::between(0.0, 100.0), 25.0) / rail::kKmphPerMps;
   margin_mps_ = reader.numberOr("limit_margin_kmph", rail::between(0.0, 20.0), 2.0) / rail::kKmphPerMps;
   late_tolerance_s_ = reader.numberOr("late_tolerance_s", rail::notNegative(), 10.0);
   planning_period_ = readTime(reader, "planning_period_s", 1.0);
@@ -81,6 +84,29 @@ void TimetableDriver::readLine(rail::YamlReader& reader, const rail::Track& trac
     reader.refuse("service_deceleration_mps2",
                   "must not be above what full service gives on the line's steepest descent, " +
                       rail::messageNumber(brakes_mps2, rail::Rounding::kDown) + " m/s2");
+  else
+    readStops(reader, track);
+}
+
+/// The curve to each stop, and whether the train stays there.
+void TimetableDriver::readStops(rail::YamlReader& reader, const rail::Track& track) {
+  const double full_N = ability_.full_service_N ? ability_.full_service_N(0.0) : 0.0;
+  const double length_m = ability_.ahead_m + ability_.behind_m;
+  std::vector<rail::YamlReader> points = reader.maps("points");
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    Point& point = points_[i];
+    if (!point.stop) continue;
+    point.deceleration_mps2 = line_.decelerationTo(point.location_m);
+    const double rise_m = track.at(point.location_m + ability_.ahead_m).height_m -
+                          track.at(point.location_m - ability_.behind_m).height_m;
+    const double pull_N = std::fabs(ability_.weight_N * rise_m / length_m);
+    if (kHoldingMargin * pull_N > full_N)
+      points[i].refuse("location_km", "the train would not stay on the grade there: it pulls with " +
+                                          std::to_string(std::lround(pull_N / 1e3)) + " kN, and full service, " +
+                                          std::to_string(std::lround(full_N / 1e3)) + " kN, must be 1.5 times that");
+    else
+      point.holding_Pa = DriverControls::reductionFor(full_N > 0.0 ? kHoldingMargin * pull_N / full_N : 0.0, ability_);
+  }
 }
 
 TimetableDriver TimetableDriver::read(rail::YamlReader& reader, const rail::Track& track, const TrainAbility& ability) {

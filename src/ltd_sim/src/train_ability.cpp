@@ -69,6 +69,8 @@ TrainAbility computeAbility(const TrainModel& train_model, const AirBrake& air_b
   };
   if (air->present()) {
     ability.first_reduction_Pa = air->firstReduction();
+    ability.full_release_reduction_Pa = air->fullReleaseReduction();
+    ability.brake_response = computeBrakeResponse(*train, *air);
     ability.full_service_reduction_Pa = kChargedPipe_Pa - air->fullServicePressure();
     ability.full_service_N = [train, air, applied](double v_mps) {
       double sum_N = 0.0;

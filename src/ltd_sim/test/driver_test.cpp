@@ -132,11 +132,25 @@ TEST(DriverGroupTest, BrakeNotchesAreDelayedAsWellButTheOffsetIsOfTractionAndAir
   EXPECT_EQ(driver.groupCommand(3, 0, state).brake_notch, 2);
 }
 
-TEST(DriverGroupTest, StateRemembersChangesNotSteps) {
-  const Driver driver = fixtures::makeDriver(kPaperNotches);
-  Driver::State state;
-  for (rail::Nanoseconds t = 0; t < 25 * kSecond; t += kStep) driver.command(view(t, 0.0), state);
-  EXPECT_EQ(state.changes.size(), 3u);
+TEST(DriverGroupTest, StateRemembersChangesNotStepsAndNoFurtherBackThanTheLongestDelay) {
+  for (const auto& [delay_s, most] : {std::pair(0, 1u), {3, 4u}}) {
+    std::string notches = "[0, 1]";  // a change each second
+    for (int t = 1; t < 100; ++t) notches += ", [" + std::to_string(t) + ", " + std::to_string(1 + t % 8) + "]";
+    const Driver driver = read("{over: time, notches: [" + notches +
+                                   "], groups: {late: {follows: lead, delay_s: " + std::to_string(delay_s) + "}}}",
+                               {"late"}, {8});
+    Driver::State state;
+    std::size_t largest = 0;
+    for (rail::Nanoseconds t = 0; t < 100 * kSecond; t += kSecond / 4) {
+      driver.command(view(t, 0.0), state);
+      const auto followed = static_cast<int>(std::max<rail::Nanoseconds>(0, t - delay_s * kSecond) / kSecond);
+      if (t >= delay_s * kSecond) {
+        ASSERT_EQ(driver.groupCommand(0, t, state).notch, 1 + followed % 8) << t;
+      }
+      largest = std::max(largest, state.changes.size());
+    }
+    EXPECT_EQ(largest, most);  // one in force, and those of the delay
+  }
 }
 
 std::string csvDriver(const std::string& over, const std::vector<std::string>& lines) {

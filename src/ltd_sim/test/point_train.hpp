@@ -36,6 +36,7 @@ inline ltd::TrainAbility ability(double traction_strength = 1.0) {
   ability.dynamic_brake_N = dynamicForce;
   ability.full_service_N = fullService;
   ability.resistance_N = davis;
+  ability.brake_response = {3.0, 0.2, 3.0, 0.2, 10.0, 15.0};  // of the 5 s in which the shoes follow below
   return ability;
 }
 
@@ -70,7 +71,7 @@ class PointTrain {
     const double rate = 120e3 * H;
     force_N += std::clamp(target_N - force_N, -rate, rate);
     const double reduction = std::min((ltd::kChargedPipe_Pa - now.pipe_pressure_Pa) / 1.5e5, 1.0);
-    air_N += (reduction * fullService(v) + now.independent_brake * 0.2e6 - air_N) * H / 5.0;  // 5 s to fill cylinders
+    air_N += (reduction * fullService(v) + now.independent_brake * 0.2e6 - air_N) * H / air_lag_s;
     const double pull = force_N + grade();
     const double drag = davis(v) + air_N;
     const double F = v > 0.0 || std::fabs(pull) > drag ? pull - drag : 0.0;
@@ -102,6 +103,7 @@ class PointTrain {
   ltd::Driver::State state;
   Seen seen;
   rail::Nanoseconds t = 0;
+  double air_lag_s = 5.0;  ///< to fill cylinders
 
  private:
   double grade() const {
@@ -144,7 +146,8 @@ inline rail::Track line(const std::string& grades, const std::string& limits) {
 /// A timetable's driver with a = 0.2 m/s2 and direct release. @param more  keys, each in its line
 inline ltd::Driver timetable(const std::string& points, const rail::Track& track, const ltd::TrainAbility& can,
                              const std::string& more = "") {
-  const std::string text = "kind: timetable\nservice_deceleration_mps2: 0.2\npoints: [" + points + "]\n" +
+  const std::string text = "kind: timetable\npoints: [" + points + "]\n" +
+                           (fixtures::contains(more, "service_dec") ? "" : "service_deceleration_mps2: 0.2\n") +
                            (fixtures::contains(more, "brake_release") ? "" : "brake_release: direct\n") + more +
                            "groups: {lead: {follows: lead}}\n";
   return fixtures::readMap(

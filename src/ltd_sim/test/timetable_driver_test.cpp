@@ -53,6 +53,20 @@ TEST(TimetableDriverTest, TrainsOfDifferentStrengthReachThePointsAtTheSameTimes)
   }
 }
 
+TEST(TimetableDriverTest, OnASteepGradeHeHoldsWithMoreThanTheFirstReduction) {
+  for (const auto& [permille, bar] : {std::pair(0.0, 4.5), {30.0, 3.8}}) {
+    const rail::Track track =
+        drivers::line("{from_km: 0, grade_permille: " + std::to_string(permille) + "}", "{from_km: 0, limit_kmph: 50}");
+    const ltd::Driver driver = timetable("{location_km: 2, stop: true}", track, drivers::ability());
+    PointTrain train(driver, track, 1000.0, 40.0 * kKmph);
+    train.run(900.0, stands);
+    train.run(train.seconds() + 30.0);
+    // 30 permille pull with 0.294 m/s2: 1.5 times that of 0.6 m/s2 are 0.735 of 1.5 bar, in steps of 0.1
+    EXPECT_NEAR(driver.lead(train.state).pipe_pressure_Pa, bar * 1e5, 1.0) << permille;
+    EXPECT_EQ(train.v, 0.0);
+  }
+}
+
 TEST(TimetableDriverTest, StopsOnTheWayWaitsAndGoesOn) {
   const rail::Track track = drivers::line(kLevel, "{from_km: 0, limit_kmph: 80}");
   const ltd::Driver driver =
@@ -119,6 +133,24 @@ TEST(TimetableDriverTest, WithoutDynamicBrakeAirIsAppliedAndReleasedOnceAMinuteA
     EXPECT_LE(train.seen.air_changes, 44) << release;  // in 22 minutes
     train.run(3600.0, stands);
     EXPECT_NEAR(train.s, 25000.0, 20.0) << release;
+  }
+}
+
+TEST(TimetableDriverTest, BrakesThatAreSlowToFillAreAppliedSoMuchEarlier) {
+  const rail::Track track = drivers::line(kLevel, "{from_km: 0, limit_kmph: 70}, {from_km: 6, limit_kmph: 40}");
+  ltd::TrainAbility can = drivers::ability();
+  can.brake_notches = 0;
+  for (const double lag_s : {5.0, 20.0}) {
+    const double share_per_s = 0.5 / lag_s;  // half of full service is worth as much after delay 0 + lag
+    can.brake_response = {0.5 * lag_s, share_per_s, 0.5 * lag_s, share_per_s, 2.0 * lag_s, 3.0 * lag_s};
+    const ltd::Driver driver = timetable("{location_km: 20}", track, can,
+                                         "service_deceleration_mps2: 0.3\nbrake_release: graduated\n"
+                                         "limit_margin_kmph: 0\n");
+    PointTrain train(driver, track, 3000.0, 65.0 * kKmph);
+    train.air_lag_s = lag_s;
+    train.run(600.0, [](const PointTrain& x) { return x.s > 6500.0; });
+    EXPECT_LT(train.seen.largest_excess_mps, 0.5 * kKmph) << lag_s;
+    EXPECT_GT(train.seen.smallest_mps, 25.0 * kKmph) << lag_s;  // braked in time he need not brake hard, too late 16
   }
 }
 

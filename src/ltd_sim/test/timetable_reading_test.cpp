@@ -50,6 +50,16 @@ TEST(TimetableReadTest, RefusesValvesThatHisFirstReductionDoesNotMove) {
   expectFault(kPoints + kHabits, {"kind = timetable", "0.5 bar", "first_reduction_bar 0.6 must not be larger"}, can);
 }
 
+TEST(TimetableReadTest, RefusesAStopOnAGradeThatFullServiceDoesNotHold) {
+  // 10 permille down pull with 275 kN; the test's full service has 1680 kN
+  ltd::TrainAbility can = drivers::ability();
+  can.full_service_N = [](double v_mps) { return v_mps > 0.0 ? 1.68e6 : 0.4e6; };
+  expectFault("points: [{location_km: 20, stop: true}]\nservice_deceleration_mps2: 0.04\nbrake_release: direct\n",
+              {"points.0.location_km = 20", "would not stay on the grade there", "it pulls with 275 kN",
+               "full service, 400 kN, must be 1.5 times that"},
+              can);
+}
+
 TEST(TimetableReadTest, RefusesATrainWithoutBrakesOrUnknown) {
   ltd::TrainAbility can = drivers::ability();
   can.full_service_N = nullptr;

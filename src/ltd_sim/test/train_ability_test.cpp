@@ -38,25 +38,25 @@ TEST(TrainAbilityTest, CountsMassAndLengthFromTheLeadingLocomotive) {
   EXPECT_FALSE(can.full_service_N);
 }
 
-/// What the driver's hand makes of a wish for all that full service gives.
-double pipeForFullService(double reduction_Pa) {
+/// What the driver's hand makes of a wish for this share of full service.
+double pipeFor(double share, double reduction_Pa) {
   ltd::TrainAbility can = drivers::ability();
-  can.brake_notches = 0;
   can.full_service_reduction_Pa = reduction_Pa;
-  ltd::DriverControls controls;
-  ltd::DriverControls::State state;
-  ltd::DriverCommand lead;
-  ltd::DriverView view = drivers::viewAt(0, 0.0);
-  view.speed_mps = 15.0;
-  controls.apply({0.0, can.full_service_N(15.0), 0.0}, can, view, state, lead);
-  return lead.pipe_pressure_Pa;
+  return ltd::kChargedPipe_Pa - ltd::DriverControls::reductionFor(share, can);
 }
 
 TEST(DriverControlsTest, AskedForAllThatTheAirBrakeHasSetThePipeToItsFullService) {
-  EXPECT_DOUBLE_EQ(pipeForFullService(1.5e5), 3.5e5);
-  EXPECT_NEAR(pipeForFullService(2.0e5), 3.0e5, 0.1e5);  // in steps of 0.2 bar from 0.5
-  EXPECT_DOUBLE_EQ(pipeForFullService(1.0e5), 4.0e5);    // and never beyond
-  EXPECT_DOUBLE_EQ(pipeForFullService(0.5e5), 4.5e5);
+  EXPECT_DOUBLE_EQ(pipeFor(1.0, 1.5e5), 3.5e5);
+  EXPECT_DOUBLE_EQ(pipeFor(1.0, 2.0e5), 3.0e5);
+  EXPECT_DOUBLE_EQ(pipeFor(1.2, 1.0e5), 4.0e5);  // and never beyond
+  EXPECT_DOUBLE_EQ(pipeFor(1.0, 0.5e5), 4.5e5);
+}
+
+TEST(DriverControlsTest, TheFirstReductionIsHalfABarAndEveryStepGivesAtLeastTheShare) {
+  EXPECT_DOUBLE_EQ(pipeFor(0.01, 1.5e5), 4.5e5);
+  EXPECT_DOUBLE_EQ(pipeFor(0.5 / 1.5, 1.5e5), 4.5e5);
+  EXPECT_DOUBLE_EQ(pipeFor(0.51 / 1.5, 1.5e5), 4.4e5);
+  EXPECT_DOUBLE_EQ(pipeFor(0.79 / 1.5, 1.5e5), 4.2e5);
 }
 
 }  // namespace

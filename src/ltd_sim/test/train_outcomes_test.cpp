@@ -87,6 +87,44 @@ TEST(OutcomeTest, RunawayFailsWithPlaceSpeedAndLimit) {
   EXPECT_NEAR(run.state.v_mps[0] * 3.6, 85.0, 0.01);
 }
 
+TEST(OutcomeTest, AnyDriversExcessAboveALimitIsOneNoteWithTheWorst) {
+  // above 36.3 km/h soon, then free until 40 km/h: above a limit twice
+  const std::string line =
+      "{name: test line, start_km: 0, end_km: 10, grades: [{from_km: 0, grade_permille: -30}], curves: [], "
+      "speed_limits: [{from_km: 0, limit_kmph: 36.3}, {from_km: 3.2, limit_kmph: 80}, {from_km: 3.6, limit_kmph: 40}]}";
+  const ltd::Scenario scenario =
+      trip("over: time\nnotches: [[0, 0]]", fixtures::readMap(line, rail::Track::read), 60.0);
+  double worst_mps = 0.0;
+  struct Watch : ltd::RunObserver {
+    explicit Watch(double& most) : worst_mps(most) {}
+    void onStep(const ltd::StepRecord& r) override {
+      worst_mps = std::max(worst_mps, r.forces.view.speed_mps - r.forces.view.speed_limit_mps);
+    }
+    double& worst_mps;
+  } watch(worst_mps);
+  const fixtures::FinishedRun run = fixtures::run(scenario, {&watch});
+  ASSERT_EQ(run.outcome.notes.size(), 1u) << fixtures::joined(run.outcome.notes);
+  const std::string note = run.outcome.notes.front();
+  EXPECT_TRUE(fixtures::contains(note, "speed limit exceeded 2 times, worst at ")) << note;
+  EXPECT_TRUE(fixtures::contains(note, " are allowed")) << note;
+  const double speed_kmph = std::stod(note.substr(note.find("km: ") + 4));
+  const double limit_kmph = std::stod(note.substr(note.find("where ") + 6));
+  EXPECT_EQ(limit_kmph, 40.0);
+  EXPECT_NEAR(speed_kmph - limit_kmph, worst_mps * 3.6, 0.06);  // the note has one decimal
+}
+
+TEST(OutcomeTest, WithinHalfAKilometreAnHourOfTheLimitNothingIsSaid) {
+  ltd::LimitWatch watch;
+  ltd::DriverView view;
+  view.speed_limit_mps = 10.0;
+  view.speed_mps = 10.0 + 0.49 / 3.6;
+  watch.look(view);
+  EXPECT_EQ(watch.note(), "");
+  view.speed_mps = 10.0 + 0.51 / 3.6;
+  watch.look(view);
+  EXPECT_EQ(watch.note(), "speed limit exceeded 1 time, worst at 0.000 km: 36.5 km/h where 36.0 are allowed");
+}
+
 TEST(OutcomeTest, EndsWhenTheTrainHasStoodForSoLong) {
   ltd::Scenario scenario = trip("over: time\nnotches: [[0, 0]]\npipe_bar: [[1, 3.5]]", fixtures::makeTrack(), 600.0);
   scenario.run.standstill_time = 7 * rail::kNanosecondsPerSecond;

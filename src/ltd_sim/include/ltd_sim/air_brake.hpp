@@ -42,6 +42,9 @@ class AirBrake {
   /// Reduction of the pipe from which the vehicles' valves apply [Pa].
   double firstReduction() const { return distributor_.firstReduction(); }
 
+  /// Graduated release: at a smaller reduction of the pipe the brakes are off [Pa]; direct: 0.
+  double fullReleaseReduction() const { return distributor_.fullReleaseReduction(); }
+
   State initialState() const;
 
   /// Advances the brake by H with the command held. H must be the same in all steps. Allocates in the first step only.

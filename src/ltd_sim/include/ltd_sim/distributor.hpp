@@ -35,7 +35,8 @@ class Distributor {
   /// release_rise_bar, reservoir_charging_bar_per_s.
   static Distributor read(rail::YamlReader reader, double full_reduction_Pa, bool electronic);
 
-  double firstReduction() const { return p_.first_reduction_Pa; }  ///< [Pa]
+  double firstReduction() const { return p_.first_reduction_Pa; }               ///< [Pa]
+  double fullReleaseReduction() const { return p_.full_release_reduction_Pa; }  ///< [Pa], 0: direct release
 
   /// At rest with the pipe at this pressure, reached from the charged one.
   State initialState(double pipe_Pa) const;

@@ -43,6 +43,7 @@ class Driver {
       int notch = 0;
       int brake_notch = 0;
     };
+    /// In order; what lies before the longest delay of all groups is forgotten, but for the last of it.
     std::vector<Change> changes;
     DriverCommand lead;                ///< in force
     DriverCommand given;               ///< external: the answer to the last question
@@ -94,6 +95,7 @@ class Driver {
     int largest_brake_notch = 0;
   };
   static Group readGroup(rail::YamlReader reader, int largest_notch, int largest_brake_notch);
+  void remember(rail::Nanoseconds t, State& state) const;
   static ExternalDriver readExternal(rail::YamlReader& reader, rail::Nanoseconds macro_step,
                                      const DriverSchedule::Largest& largest);
 
@@ -102,6 +104,7 @@ class Driver {
   std::optional<ExternalDriver> external_;
   DriverSchedule::Largest largest_;
   std::vector<Group> groups_;
+  rail::Nanoseconds longest_delay_ = 0;  ///< of all groups
 };
 
 }  // namespace ltd

@@ -2,6 +2,8 @@
 
 #include <functional>
 
+#include "ltd_sim/brake_response.hpp"
+
 namespace ltd {
 
 /// What a driver knows of the train that he drives: its size, and what its notches and brakes give. All forces are
@@ -22,6 +24,8 @@ struct TrainAbility {
   std::function<double(double v_mps)> full_service_N;  ///< air brake after a full service reduction; empty: none
   double first_reduction_Pa = 0.4e5;                   ///< of the pipe, a smaller one applies nothing; chosen
   double full_service_reduction_Pa = 1.5e5;            ///< of the pipe, for full service; UIC 540: down to 3.5 bar
+  double full_release_reduction_Pa = 0.15e5;           ///< of the pipe, a smaller one holds nothing; chosen
+  BrakeResponse brake_response;                        ///< default: at once
   std::function<double(double v_mps)> resistance_N;    ///< on straight, level track; empty: none
 };
 

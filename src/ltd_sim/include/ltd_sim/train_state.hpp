@@ -5,6 +5,7 @@
 
 #include "ltd_sim/air_brake.hpp"
 #include "ltd_sim/driver.hpp"
+#include "ltd_sim/limit_watch.hpp"
 #include "ltd_sim/loco_energy.hpp"
 #include "ltd_sim/train_model.hpp"
 #include "rail_core/energy_account.hpp"
@@ -32,6 +33,7 @@ struct TrainState : TrainSnapshot {
   bool moved = false;                             ///< the train has been on its way
   rail::Nanoseconds standing_since = -1;          ///< at rest since then, having moved; -1: not
   rail::Nanoseconds slow_since = -1;              ///< traction on and below the stall speed since then; -1: not
+  LimitWatch limit_watch;
 };
 
 /// The forces of one step, all at t_k.
