@@ -4,9 +4,11 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 
 #include "ltd_sim/local_fleet.hpp"
+#include "ltd_sim/run_outputs.hpp"
 #include "offline_arguments.hpp"
 #include "offline_run.hpp"
 #include "sweep.hpp"
@@ -53,6 +55,11 @@ int runAll(const OfflineArguments& arguments, const BagFactory& bag_factory) {
   return runSweep(arguments, combinations, scenarios, bag_factory);
 }
 
+/// What an earlier run left in the folder must not be taken for this one's. A folder that is not there stays so.
+void tellRefusal(const std::string& folder, const std::string& reason) {
+  if (std::filesystem::exists(folder)) writeRefusal(folder, Outcome::Kind::kRefused, reason);
+}
+
 }  // namespace
 
 int runOffline(const std::vector<std::string>& command_line, const BagFactory& bag_factory) {
@@ -73,6 +80,7 @@ int runOffline(const std::vector<std::string>& command_line, const BagFactory& b
     return runAll(arguments, arguments.bag ? bag_factory : BagFactory());
   } catch (const rail::ConfigError& error) {
     std::cerr << error.what() << '\n';
+    tellRefusal(arguments.out, error.what());
     return 2;
   } catch (const std::exception& error) {
     std::cerr << "ltd_offline: " << error.what() << '\n';

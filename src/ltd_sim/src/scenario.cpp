@@ -13,7 +13,7 @@ namespace ltd {
 namespace {
 
 Driver readDriver(rail::YamlReader reader, const TrainModel& train, rail::Nanoseconds macro_step,
-                  const rail::Track& track, const AirBrake& air_brake, bool sand) {
+                  const rail::Track& track, const AirBrake& air_brake, bool sand, bool ability_known) {
   std::vector<int> largest(train.notch_groups.size(), 1 << 20);
   for (const LocoUnit& unit : train.locomotives)
     largest[unit.notch_group] = std::min(largest[unit.notch_group], train.traction[unit.type].notches());
@@ -23,6 +23,7 @@ Driver readDriver(rail::YamlReader reader, const TrainModel& train, rail::Nanose
         std::min(largest_brake[unit.notch_group], train.dynamic_brakes[unit.type].notches());
   TrainAbility ability = computeAbility(train, air_brake);
   ability.sand = sand;
+  ability.known = ability_known;
   return Driver::read(reader, train.notch_groups, largest, largest_brake, macro_step, track, ability);
 }
 
@@ -93,12 +94,14 @@ Scenario Scenario::load(const std::string& path, const std::vector<rail::Overrid
   const bool track_known = isSound(problems, [&] { scenario.track = rail::Track::read(root.map("track")); });
   // Sand does nothing in 1D either, but a driver may be shared with models in which it does.
   const bool sand = !model_known || !train_known || !anyHasContacts(scenario.train) || root.has("sanded_adhesion");
-  if (root.has("air_brake")) scenario.air_brake = AirBrake::read(root.map("air_brake"), scenario.train);
+  const bool brake_known = isSound(problems, [&] {
+    if (root.has("air_brake")) scenario.air_brake = AirBrake::read(root.map("air_brake"), scenario.train);
+  });
   if (scenario.train.notch_groups.empty())
     root.ignore("driver");  // whoever drives cannot be judged without anything to drive
   else
-    scenario.driver =
-        readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track, scenario.air_brake, sand);
+    scenario.driver = readDriver(root.map("driver"), scenario.train, scenario.macro_step, scenario.track,
+                                 scenario.air_brake, sand, train_known && track_known && brake_known);
   const Bounds track{track_known, scenario.track.start_m(), scenario.track.end_m()};
   const double start_m = scenario.run.start_location_m;
   const bool on_track = run_known && track_known && start_m >= track.from_m && start_m <= track.to_m;

@@ -115,6 +115,7 @@ TimetableDriver TimetableDriver::read(rail::YamlReader& reader, const rail::Trac
   driver.ability_ = ability;
   driver.readPoints(reader, track);
   driver.readHabits(reader);
+  if (!ability.known) return driver;
   const bool track_known = track.end_m() > track.start_m();
   const bool train_known = ability.mass_kg > 0.0 && ability.notches > 0 && ability.traction_N;
   if (track_known && train_known && reader.problems().count() == before) driver.readLine(reader, track);

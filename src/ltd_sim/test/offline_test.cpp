@@ -159,6 +159,14 @@ TEST_F(RunOfflineTest, RefusedInputGives2AndNothingIsWritten) {
   EXPECT_FALSE(exists("out"));
 }
 
+TEST_F(RunOfflineTest, ARefusedRunDoesNotLeaveTheOutcomeOfTheOneBeforeAsItsOwn) {
+  ASSERT_EQ(offline({"--set", "run.end_time_s=1"}), 0);
+  EXPECT_EQ(offline({"--set", "run.end_location_km=99"}), 2);
+  EXPECT_TRUE(fixtures::contains(read("out/outcome.yaml"), "outcome: refused"));
+  EXPECT_TRUE(fixtures::contains(read("out/outcome.yaml"), "run.end_location_km = 99: "));
+  EXPECT_TRUE(fixtures::contains(read("out/outcome.before.yaml"), "outcome: finished"));
+}
+
 TEST_F(RunOfflineTest, AFolderThatCannotBeWrittenGives1) {
   write("out", "a file");
   EXPECT_EQ(offline({"--set", "run.end_time_s=1"}), 1);

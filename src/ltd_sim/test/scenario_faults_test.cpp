@@ -156,6 +156,17 @@ TEST_F(ScenarioFaultTest, AFaultDoesNotAccuseWhatIsSoundBesideIt) {
   }
 }
 
+TEST_F(ScenarioFaultTest, AFaultyTrainDoesNotAccuseTheHabitsOfADriverWhoKeepsATimetable) {
+  for (const char* mass : {"-120000", "120000,5"}) {
+    const std::string sound = read("config/vehicles/wagon_120t.yaml");
+    replace("config/vehicles/wagon_120t.yaml", "mass_kg: 120000", std::string("mass_kg: ") + mass);
+    const std::vector<std::string> lines = faults({}, "scenarios/mine_to_port_1d.yaml");
+    ASSERT_EQ(lines.size(), 1u) << fixtures::joined(lines);
+    EXPECT_TRUE(fixtures::contains(lines[0], "mass_kg")) << lines[0];
+    write("config/vehicles/wagon_120t.yaml", sound);
+  }
+}
+
 TEST_F(ScenarioFaultTest, AMisspeltKeyThatNamesAFileIsToldAsItIsWritten) {
   replace("config/scenarios/paper_2d.yaml", "control_file:", "contrl_file:");
   const std::vector<std::string> lines = faults({}, "scenarios/paper_2d.yaml");

@@ -10,6 +10,7 @@ namespace ltd {
 /// those of all locomotives or all shoes together, >= 0, at a speed along the track. Filled by whoever knows train and
 /// brakes; a driver that follows a timetable plans with it, the others do not ask.
 struct TrainAbility {
+  bool known = true;         ///< false: train or brakes are faulty, so nothing may be measured by what follows
   double mass_kg = 0.0;      ///< inertial, the whole train
   double weight_N = 0.0;     ///< the whole train: what a grade pulls with
   double ahead_m = 0.0;      ///< from the leading locomotive's CoG to the train's head
