@@ -23,17 +23,17 @@ bool stalled(const RunLimits& run, double speed_mps, rail::Nanoseconds t, const 
 }
 
 /// At rest for so long, after having moved, that the run ends: for run.end_at_standstill_s or, if the driver is silent,
-/// for a second.
-bool stands(const RunLimits& run, double speed_mps, rail::Nanoseconds t, bool silent, TrainState& state) {
+/// for a second. A stop from which the train is to go on does not count.
+bool stands(const Scenario& scenario, double speed_mps, rail::Nanoseconds t, bool silent, TrainState& state) {
   constexpr double kMoving_mps = 0.1, kResting_mps = 0.005;  // chosen: a locomotive's wheels creep on a grade
   const double v = std::abs(speed_mps);
   state.moved = state.moved || v > kMoving_mps;
-  if (!state.moved || v > kResting_mps) {
+  if (!state.moved || v > kResting_mps || scenario.driver.goesOn(state.driver)) {
     state.standing_since = -1;
     return false;
   }
   if (state.standing_since < 0) state.standing_since = t;
-  const rail::Nanoseconds asked = run.standstill_time;
+  const rail::Nanoseconds asked = scenario.run.standstill_time;
   if (asked == 0 && !silent) return false;
   return t - state.standing_since >= (asked > 0 ? asked : rail::kNanosecondsPerSecond);
 }
@@ -67,7 +67,7 @@ std::optional<Ending> findEnding(const Scenario& scenario, const TrainDynamics& 
   if (t >= run.end_time) return Ending{Kind::kFinished, endTime(run.end_time)};
   const double limit_mps = forces.view.speed_limit_mps;
   if (speed_mps > limit_mps + run.runaway_margin_mps) return Ending{Kind::kFailed, runaway(at_m, speed_mps, limit_mps)};
-  if (stands(run, speed_mps, t, !silence.empty(), state)) {
+  if (stands(scenario, speed_mps, t, !silence.empty(), state)) {
     const std::string at = "stands at " + kilometres(at_m);
     return silence.empty() ? Ending{Kind::kFinished, at} : Ending{Kind::kFailed, silence + ", and " + at};
   }

@@ -52,7 +52,7 @@ class TimetableTrainTest : public fixtures::ScratchDirectory {
                                              {"track_file", path("line.yaml")},
                                              {"driver_file", path("driver.yaml")},
                                              {"air_brake_file", kConfig + "/brakes/" + brake},
-                                             {"run.end_at_standstill_s", "300"},
+                                             {"run.end_at_standstill_s", "20"},  // counts at the last point only
                                              {"steps.macro_step_s", "0.002"},
                                              {"steps.micro_step_s", "0.002"}};
     run.insert(run.begin(), all.begin(), all.end());
@@ -105,6 +105,22 @@ TEST_F(TimetableTrainTest, AfterAStopHePullsOnlyOnceTheTailIsFree) {
   // Leaving is no worse than the start with brakes that were never on; with the tail braked it is 2.5 MN.
   EXPECT_LT(watch.draft_after_N, 1.1 * watch.draft_before_N);
   EXPECT_GT(watch.draft_before_N, 1.0e6);
+}
+
+TEST_F(TimetableTrainTest, AStandstillEndsTheRunAtTheLastPointOnly) {
+  Watch watch;
+  const fixtures::FinishedRun run =
+      drive(kLevel, "{from_km: 0, limit_kmph: 80}",
+            "{location_km: 9.4, stop: true, dwell_s: 40}, {location_km: 9.5, stop: true}", 0.08, "ecp.yaml",
+            {{"run.start_speed_kmph", "20"},
+             {"run.start_location_km", "9.2"},
+             {"run.end_location_km", "10"},
+             {"run.end_time_s", "900"},
+             {"output.report_locations_km", "[]"},
+             {"output.section_boundaries_km", "[]"}},
+            watch);
+  EXPECT_TRUE(run.outcome.reason == "stands at 9.500 km" || run.outcome.reason.find("stands at 9.49") == 0)
+      << run.outcome.reason;
 }
 
 TEST_F(TimetableTrainTest, UphillHeLeavesWithoutRollingBack) {

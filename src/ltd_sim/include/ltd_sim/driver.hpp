@@ -76,6 +76,9 @@ class Driver {
   /// External: no answer came in time.
   void giveSilence(State& state) const { state.given = external_->on_silence; }
 
+  /// Timetable: true if there are points ahead, so that a train at rest is to move again.
+  bool goesOn(const State& state) const { return timetable_ && timetable_->goesOn(state.timetable); }
+
   /// What happened on the way that a reader of the results should know, in order.
   const std::vector<std::string>& notes(const State& state) const { return state.timetable.notes; }
 

@@ -47,6 +47,9 @@ class TimetableDriver {
   /// Decides when it is due, every 0.2 s; in between the command stays.
   void command(const DriverView& view, State& state, DriverCommand& lead) const;
 
+  /// True until the train has come to the last point: if it stands, it is to move again.
+  bool goesOn(const State& state) const { return state.point + (state.waiting ? 1 : 0) < points_.size(); }
+
  private:
   struct Point {
     double location_m = 0.0;
