@@ -35,6 +35,11 @@ if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null || { echo "install_dependencies: run as root, or install sudo, to add: ${missing[*]}" >&2; exit 1; }
   as_root=(sudo)
 fi
-echo "install_dependencies: adding ${#missing[@]} packages: ${missing[*]}"
-"${as_root[@]}" apt-get update -q
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
+log=$(mktemp "${TMPDIR:-/tmp}/install_dependencies.XXXXXX.log")
+echo "install_dependencies: adding ${#missing[@]} packages and what they need, some minutes (what apt says: $log): ${missing[*]}"
+if ! { "${as_root[@]}" apt-get update -q &&
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"; } > "$log" 2>&1; then
+  tail -n 30 "$log" >&2
+  echo "install_dependencies: apt-get failed, see above and $log" >&2
+  exit 1
+fi

@@ -21,10 +21,6 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(REPO, "scripts"))
 import docs_commands  # noqa: E402
 
-CASES = """\
-a_mm,b_mm,N_N,V_mps,mu0,A,B_s_per_m,k0,alpha_inf,beta,creep_x,creep_y,spin_rad_per_m
-6.6,9.5,109500,5,0.4,0.4,0.27,0.7,0.1,0.6,-0.01,0,0
-"""  # for creep_force
 LIMIT_S = 60  # of one command, on a machine that is busy
 
 
@@ -43,7 +39,6 @@ class DocsCommandsTest(unittest.TestCase):
         for page in docs_commands.pages():
             for path, content in docs_commands.files_of_page(page.read_text()).items():
                 cls.write(path, content)
-        cls.write("cases.csv", CASES)
         for out, name in (("offline", "paper_1d"), ("paper_1d", "paper_1d"), ("paper_2d", "paper_2d"), ("paper_3d", "paper_3d")):
             scenario = os.path.join(REPO, "config", "scenarios", name + ".yaml")
             run_offline(os.path.join(cls.folder, "results", out), "run.end_time_s=0.5", scenario)
