@@ -89,7 +89,10 @@ class BrakingFiguresTest(unittest.TestCase):
         cells = [cell.get_text().get_text() for cell in draw_energy_account([run]).axes[1].tables[0].get_celld().values()]
         self.assertEqual(cells[cells.index("locomotives' shoes, pulled against [MJ]") + 1], '9.000')
         self.assertNotIn('-0.000', cells)
+        self.assertEqual([text.get_text() for text in draw_energy_account([run]).axes[0].texts], [' nothing'])  # no brake took any
         self.assertIn('own shoes while it pulls against them', run_page([run], {}))
+        self.assertGreater(run.rim_J[-1], 2.0 * run.rail_J[-1] + 1e6)
+        self.assertFalse(run.races())
 
     @staticmethod
     def changed(run):
@@ -129,6 +132,17 @@ class BrakingFiguresTest(unittest.TestCase):
         self.assertAlmostEqual(sum(flow[2] for flow in braked), sinks[-1][2], places=9)
         number = f'{run.account["brake_rail"][-1] / 1e6:.1f}'
         self.assertIn(f'at the rail\n{number} MJ', texts(draw_energy_flow(run)))
+
+    def test_narrow_band_of_the_brakes_has_its_words_below_it(self):
+        run = self.changed(self.braked)
+        for books in (run.locos, run.account):
+            for name in ('brake_rail', 'recovered_rim'):
+                books[name] *= 0.1
+        run.locos['energy_slip'] *= 0.1
+        run.account['residual'][:] = 0.0
+        words = texts(draw_energy_flow(run))
+        self.assertIn("locomotives' brakes,\nat the rail", words)
+        self.assertNotIn("locomotives'\nbrakes", words)
 
     def test_account_has_bars_and_rows_of_brakes_and_supply_only_where_there_are_some(self):
         def words(runs):

@@ -86,6 +86,18 @@ class CreepCurveTest(unittest.TestCase):
         curve, = creep_curve.creep_curves(run, (10.0,), 0.08)
         self.assertEqual(curve.label, 'creep curve at 36.0 km/h, 2D, mean axle load, outside rail sections')
 
+    def test_curves_are_of_the_rail_that_the_wheels_had_with_or_without_sand(self):
+        run = self.read()  # static friction 0.35
+        text = run.resolved[run.resolved.index('adhesion: {'):]
+        for with_sand, without, words in (('0.35', '0.20', ', under sand'), ('0.50', '0.35', ', without sand')):
+            rails = text.replace('0.35', without) + 'sanded_' + text.replace('0.35', with_sand)
+            both = dataclasses.replace(run, resolved=run.resolved.replace(text, rails))
+            curve, = creep_curve.creep_curves(both, (10.0,), 0.08)
+            self.assertEqual(curve.label, 'creep curve at 36.0 km/h, 2D, mean axle load' + words)
+            with open(self.asked, encoding='utf-8') as file:
+                _, header, first, *_ = file.read().splitlines()
+            self.assertEqual(dict(zip(header.split(','), first.split(',')))['mu0'], '0.35')
+
     def test_other_methods_are_asked_for_as_they_are(self):
         creep_curve.creep_curves(self.read('fastsim'), (5.0,), 0.08)
         with open(self.asked, encoding='utf-8') as file:

@@ -82,8 +82,10 @@ def _clip_racing(axes: Axes, runs: List[Run]) -> None:
     """The slip loss of racing wheels leaves the frame, lest it flatten the other bars."""
     ends = [sum(max(final_MJ(run)[name], 0.0) for name, _, _ in SOURCES) for run in runs]
     rails = [final_MJ(run)['traction_rail'] for run in runs]
-    # 2 and 1.25, chosen: as in the energy figure
-    races = [end > 2.0 * max(rail, 0.0) + 1.0 for end, rail in zip(ends, rails)]
+    slips = [final_MJ(run)['slip_driving'] for run in runs]
+    # 2, 0.5 and 1.25, chosen: as in the energy figure
+    races = [end > 2.0 * max(rail, 0.0) + 1.0 and slip > 0.5 * (end - max(rail, 0.0))
+             for end, rail, slip in zip(ends, rails, slips)]
     if not any(races):
         return
     top = max(1.25 * max(rail if race else end for end, rail, race in zip(ends, rails, races)), 1e-3)

@@ -33,7 +33,8 @@ def creep_curves(run: Run, speeds_mps: Tuple[float, ...], largest_creep: float) 
     if run.adhesion is None or run.adhesion.wheels is not None:
         return []
     wheel_N = float(run.adhesion.normal_force_N.mean()) / 2.0
-    contact = _contact(run.resolved, run.adhesion.locomotive)
+    rail, sand = _rail(run)
+    contact = _contact(run.resolved, run.adhesion.locomotive, rail)
     if contact is None:
         return []
     creep = np.concatenate(([0.0], np.geomspace(FINEST, largest_creep, 80)))
@@ -45,8 +46,18 @@ def creep_curves(run: Run, speeds_mps: Tuple[float, ...], largest_creep: float) 
         if adhesion is None:
             return []
         curves.append(CreepCurve(speed, creep, np.array(adhesion),
-                                 f'creep curve at {3.6 * speed:.1f} km/h, 2D, mean axle load{sections}'))
+                                 f'creep curve at {3.6 * speed:.1f} km/h, 2D, mean axle load{sand}{sections}'))
     return curves
+
+
+def _rail(run: Run) -> Tuple[str, str]:
+    """The scenario's key of the rail that the wheels had most of the time, with or without sand, and words if there are both."""
+    with_sand, without = (read_value(run.resolved, key, 'friction', 'mu0') for key in ('sanded_adhesion', 'adhesion'))
+    if with_sand is None or without is None:
+        return 'adhesion', ''
+    found = float(np.median(run.adhesion.static_friction))
+    sanded = abs(found - float(with_sand)) < abs(found - float(without))
+    return ('sanded_adhesion', ', under sand') if sanded else ('adhesion', ', without sand')
 
 
 def speeds_of(run: Run) -> Tuple[float, ...]:
@@ -59,15 +70,18 @@ def speeds_of(run: Run) -> Tuple[float, ...]:
     return tuple(float(share * wheels.speed_mps.max()) for share in SHARES)
 
 
-def _contact(resolved: str, locomotive: int) -> Optional[Tuple[dict, str]]:
-    """Columns of creep_force that do not depend on load, speed and creep; and its method. None if anything is missing."""
+def _contact(resolved: str, locomotive: int, rail: str) -> Optional[Tuple[dict, str]]:
+    """Columns of creep_force that do not depend on load, speed and creep; and its method. None if anything is missing.
+
+    @param rail the scenario's key of its adhesion
+    """
     def of_locomotive(*path):
         return float(read_locomotive_value(resolved, locomotive, *path))
 
     def of_rail(*path):
-        return float(read_value(resolved, 'adhesion', *path))
+        return float(read_value(resolved, rail, *path))
 
-    method = read_value(resolved, 'adhesion', 'method')
+    method = read_value(resolved, rail, 'method')
     try:
         values = {'curvature_along_1pm': 1.0 / of_locomotive('bodies', 'wheel_radius_m'),
                   'curvature_across_1pm': 1.0 / of_locomotive('contact', 'rail_crown_radius_m') +

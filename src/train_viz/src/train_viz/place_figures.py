@@ -72,7 +72,7 @@ def draw_energy(runs: List[Run]) -> Optional[Figure]:
         notes.append('Less energy at equal place is no saving where the train is slower: compare at equal speed, too.')
     if any(run.rim_differs() for run in runs):
         notes.append('The rim also pays ' + rim_words(runs) + '.')
-    plot_style.legend_below(figure, place, '\n'.join(notes))
+    plot_style.legend_below(figure, place, '\n'.join(plot_style.wrapped(note, 100) for note in notes))
     return figure
 
 

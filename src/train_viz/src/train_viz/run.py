@@ -128,8 +128,12 @@ class Run:
         return bool(np.max(np.abs(self.loco_energy_rim_J - self.loco_energy_rail_J)) > max(1e-4 * scale, 1.0))
 
     def races(self) -> bool:
-        """Whether wheels spin so much that the motors' work dwarfs what arrives: more than twice (chosen) the work at the rail."""
-        return bool(self.rim_J[-1] > 2.0 * max(self.rail_J[-1], 0.0) + 1e6)
+        """Whether wheels spin so much that the motors' work dwarfs what arrives: more than twice (chosen) the work at the rail.
+
+        And most of it is slip: a locomotive that hardly gets away from its own shoes does not race.
+        """
+        over_J = self.rim_J[-1] - max(self.rail_J[-1], 0.0)
+        return bool(self.rim_J[-1] > 2.0 * max(self.rail_J[-1], 0.0) + 1e6 and self.slip_J[-1] > 0.5 * over_J)
 
     def speed_rises(self) -> bool:
         """Whether energy over speed is one readable line: the speed never drops by more than 2 % (chosen) of its maximum."""
