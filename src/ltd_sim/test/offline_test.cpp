@@ -1,5 +1,7 @@
 #include "ltd_sim/offline.hpp"
 
+#include <algorithm>
+
 #include "ltd_sim/progress.hpp"
 #include "offline_arguments.hpp"
 #include "scratch_directory.hpp"
@@ -210,11 +212,15 @@ TEST_F(RunOfflineTest, ASweepIsAnnouncedBeforeItsValuesAreRefused) {
   EXPECT_TRUE(fixtures::contains(complained_, "if one number was meant, write 0.25")) << complained_;
 }
 
-TEST_F(RunOfflineTest, AStandingTrainHasNoNegativeSpeed) {
-  EXPECT_EQ(offline({"--set", "run.end_time_s=1", "--set", "run.start_speed_kmph=0", "--set", "driver.notches=[[0, 0]]",
-                     "--set", "track.grades.0.grade_permille=-0.000001"}),
+/// After one step on 3 permille it rolls back with 0.05 mm/s.
+TEST_F(RunOfflineTest, ATrainThatAllButStandsHasNoNegativeSpeed) {
+  EXPECT_EQ(offline({"--set", "run.end_time_s=0.002", "--set", "run.start_speed_kmph=0", "--set",
+                     "driver.notches=[[0, 0]]", "--set", "track.grades.0.grade_permille=3"}),
             0);
-  EXPECT_TRUE(fixtures::contains(said_, "speed 0.000 km/h")) << said_;
+  EXPECT_TRUE(fixtures::contains(said_, "time 0.002 s, speed 0.000 km/h")) << said_;
+  const auto rows = cells("out/summary.csv");
+  EXPECT_TRUE(std::any_of(rows.begin(), rows.end(),
+                          [](const Words& row) { return row[2] == "final_speed" && row.back()[0] == '-'; }));
 }
 
 TEST(ProgressTest, IsOneLineWithoutNegativeZeros) {

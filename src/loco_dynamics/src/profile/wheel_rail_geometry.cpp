@@ -6,6 +6,7 @@
 
 #include "loco_dynamics/profile/contact_search.hpp"
 #include "loco_dynamics/profile/standard_profiles.hpp"
+#include "rail_core/message_number.hpp"
 #include "rail_placing.hpp"
 
 namespace loco {
@@ -33,10 +34,7 @@ HeightTable makeRailTable(const ProfilePoints& inclined) {
   return {curve, findRangeBelowSlope(curve, findHighest(inclined), kSteepest)};
 }
 
-std::string millimetres(double value_m) {
-  const long tenths = std::lround(value_m * 1e4);
-  return std::to_string(tenths / 10) + "." + std::to_string(std::labs(tenths % 10));
-}
+std::string millimetres(double value_m) { return rail::fixedNumber(value_m * 1e3, 1); }
 
 /// The first contact of the left wheel of a centred wheelset that is lowered onto the track; none if it falls through.
 bool findFirstContact(const WheelRailGeometry& geometry, ContactRegion& first) {

@@ -10,6 +10,7 @@
 #include "rail_core/build_id.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/digest.hpp"
+#include "rail_core/message_number.hpp"
 #include "telemetry_publisher.hpp"
 
 namespace ltd {
@@ -190,9 +191,9 @@ void LtdNode::publishStatus() {
   if (rests && !cosimulation_->stepUnderWay())
     cosimulation_->hold();  // before the status: who reads it finds the state
   if (now == train_msgs::TrainStatus::HELD && now != last_phase_)
-    ROS_INFO("held at %.3f km, %.3f s, step %lu; go on with: rosservice call /train/step_lock RUN 0",
-             cosimulation_->leadingLocation() / rail::kMetresPerKilometre, rail::toSeconds(cosimulation_->time()),
-             static_cast<unsigned long>(cosimulation_->state().step));
+    ROS_INFO("held at %s km, %.3f s, step %lu; go on with: rosservice call /train/step_lock RUN 0",
+             rail::fixedNumber(cosimulation_->leadingLocation() / rail::kMetresPerKilometre, 3).c_str(),
+             rail::toSeconds(cosimulation_->time()), static_cast<unsigned long>(cosimulation_->state().step));
   last_phase_ = now;
   status_.publish(last_phase_, id_, waitsFor(), *cosimulation_, lock_, progress_.last());
 }

@@ -2,10 +2,9 @@
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 
-#include <cstdio>
-
 #include "conversions.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/message_number.hpp"
 
 namespace ltd {
 
@@ -23,9 +22,7 @@ void StatusPublisher::publish(std::uint8_t phase, const loco::ExchangeId& id, co
   msg.phase = phase;
   msg.reason = cosimulation.outcome().ended() ? cosimulation.outcome().reason : waits_for;
   if (msg.reason.empty() && phase == train_msgs::TrainStatus::HELD) {
-    char text[48];
-    std::snprintf(text, sizeof text, "holds at %.3f km", cosimulation.leadingLocation() / rail::kMetresPerKilometre);
-    msg.reason = text;
+    msg.reason = "holds at " + rail::fixedNumber(cosimulation.leadingLocation() / rail::kMetresPerKilometre, 3) + " km";
   }
   msg.notes = cosimulation.outcome().ended() ? cosimulation.outcome().notes : cosimulation.notes();
   msg.step = cosimulation.state().step;
