@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "number_text.hpp"
+#include "rail_core/number_text.hpp"
 #include "text_fault.hpp"
 
 namespace rail {

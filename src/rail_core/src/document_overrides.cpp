@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "document_loader.hpp"
-#include "number_text.hpp"
+#include "rail_core/number_text.hpp"
 #include "yaml_nodes.hpp"
 #include "yaml_source.hpp"
 

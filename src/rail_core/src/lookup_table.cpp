@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "number_text.hpp"
+#include "rail_core/number_text.hpp"
 
 namespace rail {
 namespace {

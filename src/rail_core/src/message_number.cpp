@@ -6,8 +6,8 @@
 #include <locale>
 #include <sstream>
 
-#include "number_text.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/number_text.hpp"
 
 namespace rail {
 namespace {

@@ -1,4 +1,4 @@
-#include "number_text.hpp"
+#include "rail_core/number_text.hpp"
 
 #include <charconv>
 #include <cstddef>
@@ -67,10 +67,10 @@ std::optional<std::int64_t> parseInteger(const std::string& text) {
   return number;
 }
 
-std::string formatNumber(double number) {
+std::string formatNumber(double number, int digits) {
   std::ostringstream stream;
   stream.imbue(std::locale::classic());
-  stream.precision(15);
+  stream.precision(digits);
   stream << number;
   return stream.str();
 }

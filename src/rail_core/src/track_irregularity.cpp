@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "number_text.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/csv_table.hpp"
 #include "rail_core/message_number.hpp"
+#include "rail_core/number_text.hpp"
 #include "track_profile.hpp"
 #include "track_rules.hpp"
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "number_text.hpp"
 #include "rail_core/constants.hpp"
+#include "rail_core/number_text.hpp"
 #include "track_profile.hpp"
 #include "track_rules.hpp"
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "number_text.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/csv_table.hpp"
+#include "rail_core/number_text.hpp"
 #include "track_profile.hpp"
 #include "track_rules.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "number_text.hpp"
+#include "rail_core/number_text.hpp"
 #include "yaml_source.hpp"
 
 namespace rail {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "number_text.hpp"
+#include "rail_core/number_text.hpp"
 #include "value_rules.hpp"
 #include "yaml_nodes.hpp"
 #include "yaml_source.hpp"

@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "number_text.hpp"
+#include "rail_core/number_text.hpp"
 #include "rail_core/yaml_reader.hpp"
 #include "value_rules.hpp"
 #include "yaml_nodes.hpp"

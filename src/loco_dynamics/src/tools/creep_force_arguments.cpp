@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 
 #include "rail_core/command_line.hpp"
+#include "rail_core/number_text.hpp"
 
 namespace loco {
 
@@ -43,10 +45,8 @@ namespace {
 
 /// Nothing if `text` is not a number > 0 and <= 1.
 std::optional<double> parseFactor(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && value > 0.0 && value <= 1.0 ? std::optional<double>(value) : std::nullopt;
+  const std::optional<double> value = rail::parseNumber(text);
+  return value && *value > 0.0 && *value <= 1.0 ? value : std::nullopt;
 }
 
 bool parseCount(const std::string& text, int& count) {

@@ -1,7 +1,6 @@
 #include "creep_force_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <istream>
@@ -12,6 +11,7 @@
 #include "loco_dynamics/contact/hertz.hpp"
 #include "rail_core/csv_table.hpp"
 #include "rail_core/message_number.hpp"
+#include "rail_core/number_text.hpp"
 #include "rail_core/problems.hpp"
 #include "rail_core/yaml_reader.hpp"
 
@@ -102,12 +102,7 @@ bool keeps(double value, const rail::Range& range) {
          (range.high_included ? value <= range.high : value < range.high);
 }
 
-std::string shown(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 10);
-  return {text.data(), end};
-}
+std::string shown(double value) { return rail::formatNumber(value, 10); }
 
 std::string ruleOf(const rail::Range& range) {
   const std::string low = (range.low_included ? ">= " : "> ") + rail::messageNumber(range.low);

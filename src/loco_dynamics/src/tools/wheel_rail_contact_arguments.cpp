@@ -1,12 +1,12 @@
 #include "wheel_rail_contact_arguments.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "rail_core/command_line.hpp"
+#include "rail_core/number_text.hpp"
 
 namespace loco {
 
@@ -44,13 +44,6 @@ computed, 2 something refused.
 
 namespace {
 
-std::optional<double> parseNumber(const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && value - value == 0.0 ? std::optional<double>(value) : std::nullopt;  // neither inf nor nan
-}
-
 /// An option that takes one number.
 struct NumberOption {
   double low, high;
@@ -74,7 +67,7 @@ std::string WheelRailContactArguments::take(const std::string& option, const std
   const std::string given = option + " " + value;
   const auto found = kNumbers.find(option);
   if (found != kNumbers.end()) {
-    const std::optional<double> number = parseNumber(value);
+    const std::optional<double> number = rail::parseNumber(value);
     if (!number || *number < found->second.low || *number > found->second.high ||
         (option == "--inclination" && *number > 0.0 && *number < 10.0)) {
       return given + ": " + found->second.rule;
@@ -99,7 +92,7 @@ std::string WheelRailContactArguments::take(const std::string& option, const std
   }
   for (std::size_t begin = 0; begin <= value.size();) {
     const std::size_t end = std::min(value.find(',', begin), value.size());
-    const std::optional<double> number = parseNumber(value.substr(begin, end - begin));
+    const std::optional<double> number = rail::parseNumber(value.substr(begin, end - begin));
     if (!number || std::abs(*number) > 50.0) return given + ": must be numbers >= -50 and <= 50 (mm), with commas";
     lateral_mm.push_back(*number);
     begin = end + 1;

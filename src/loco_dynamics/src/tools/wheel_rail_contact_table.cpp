@@ -1,7 +1,5 @@
 #include "wheel_rail_contact_table.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +10,7 @@
 #include "loco_dynamics/profile/profile_file.hpp"
 #include "loco_dynamics/profile/standard_profiles.hpp"
 #include "loco_dynamics/profile/standing_wheelset.hpp"
+#include "rail_core/number_text.hpp"
 
 namespace loco {
 
@@ -21,11 +20,7 @@ constexpr char kProgram[] = "wheel_rail_contact";
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kMillimetresPerMetre = 1e3;
 
-std::string shown(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 9);
-  return {text.data(), end};
-}
+std::string shown(double value) { return rail::formatNumber(value, 9); }
 
 /// Points of a named profile or of a file; empty with a problem if there are none.
 ProfilePoints findProfile(ProfileKind kind, const std::string& option, const std::string& name,

@@ -15,7 +15,7 @@ std::optional<double> parseNumber(const std::string& text);
 /// Nothing if `text` is more than sign and digits, or beyond 64 bits.
 std::optional<std::int64_t> parseInteger(const std::string& text);
 
-/// Up to 15 digits, whatever the locale.
-std::string formatNumber(double number);
+/// Up to so many digits, whatever the locale.
+std::string formatNumber(double number, int digits = 15);
 
 }  // namespace rail
