@@ -39,7 +39,7 @@ class Trial {
     command.pipe_pressure_Pa = pipe_Pa;
     int last_dragging = 0;
     for (int k = 1, resting = 0; k < kMostSteps && resting < kRest; ++k) {
-      brake_.step(command, 0, kStep, state_);
+      brake_.step(command, kStep, state_);
       shares.push_back(share());
       resting = shares.back() == shares[shares.size() - 2] ? resting + 1 : 0;
       if (anyDrags()) last_dragging = k;
