@@ -10,9 +10,13 @@ namespace {
 /// Longest value that a message shows. Chosen: such a line still fits a terminal of 200 columns.
 constexpr std::size_t kLongestValue = 60;
 
+/// Lines of problems that a message shows. Chosen: what fits a screen; a table with one slip has it in every row.
+constexpr std::size_t kMostLines = 40;
+
 std::string joinLines(const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+  for (std::size_t i = 0; i < std::min(lines.size(), kMostLines); ++i) text += (i == 0 ? "" : "\n") + lines[i];
+  if (lines.size() > kMostLines) text += "\nand " + std::to_string(lines.size() - kMostLines) + " problems more";
   return text;
 }
 

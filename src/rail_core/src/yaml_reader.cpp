@@ -108,7 +108,9 @@ bool YamlReader::has(const std::string& key) const {
   return present_ && find(key).IsDefined();
 }
 
-YamlReader YamlReader::map(const std::string& key) { return readMap(ask(key, kMapRule), key); }
+YamlReader YamlReader::map(const std::string& key) {
+  return readMap(ask(key, kMapRule + (", here or in the file that " + key) + kFileSuffix + " names"), key);
+}
 
 std::vector<YamlReader> YamlReader::maps(const std::string& key) {
   const YAML::Node list = ask(key, std::string(kListRule) + " of maps");

@@ -65,6 +65,19 @@ TEST(NearestFirstTest, AMisspeltBeginningComesFirstThenFewestSlips) {
   EXPECT_FALSE(isMisspeltBeginning("x", "paper_1d"));
 }
 
+TEST(ProblemsTest, AMessageShowsTheFirstFortyAndCountsTheRest) {
+  rail::Problems problems;
+  for (int i = 0; i < 325; ++i) problems.add("a.csv", "line " + std::to_string(i), "must rise");
+  try {
+    problems.throwIfAny();
+    FAIL();
+  } catch (const rail::ConfigError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("line 39: must rise\nand 285 problems more"), std::string::npos) << text;
+    EXPECT_EQ(error.lines().size(), 325u);
+  }
+}
+
 TEST(ProblemsTest, AProblemAddedTwiceStandsOnceButIsCountedTwice) {
   rail::Problems problems;
   problems.add("a.yaml", "mass_kg", "-1", "must be > 0");

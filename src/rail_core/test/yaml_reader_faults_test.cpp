@@ -69,7 +69,7 @@ TEST(YamlReaderFaultsTest, MissingKeysWithTheirRule) {
                           "f.yaml: e: is missing: must be one of: x, y",
                           "f.yaml: f: is missing: must be a list of numbers",
                           "f.yaml: g: is missing: must be a list of lists of 2 numbers",
-                          "f.yaml: h: is missing: must be a map",
+                          "f.yaml: h: is missing: must be a map, here or in the file that h_file names",
                           "f.yaml: i: is missing: must be a list of maps"};
   EXPECT_EQ(faults("{}",
                    [](YamlReader& reader) {
