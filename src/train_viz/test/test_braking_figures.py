@@ -8,6 +8,8 @@ import unittest
 import numpy as np
 import rosunit
 from matplotlib import pyplot as plt
+from matplotlib.patches import PathPatch, Rectangle
+from matplotlib.path import Path
 
 from synthetic_bag import write_bag
 from train_viz.account_figure import draw_energy_account
@@ -23,6 +25,21 @@ BRAKE_FROM_S = 40.0
 
 def texts(figure):
     return ' '.join(text.get_text() for text in figure.axes[0].texts)
+
+
+def crossings(axes):
+    """Pairs of a ribbon and a node of a flow picture that it passes through, between its ends."""
+    ribbons = [patch.get_path() for patch in axes.patches if isinstance(patch, PathPatch)]
+    nodes = [patch for patch in axes.patches if isinstance(patch, Rectangle)]
+    found = []
+    for ribbon in ribbons:
+        outline = Path(ribbon.to_polygons()[0])
+        for node in nodes:
+            x, low, height = node.get_x() + node.get_width() / 2.0, node.get_y(), node.get_height()
+            inside = [(x, y) for y in np.linspace(low, low + height, 101)[1:-1]]
+            if outline.contains_points(inside).any():
+                found.append((ribbon, node))
+    return found
 
 
 class BrakingFiguresTest(unittest.TestCase):
@@ -118,6 +135,24 @@ class BrakingFiguresTest(unittest.TestCase):
         for part in ('at the rail\n', 'of it traction\n', 'at the rim: ', "locomotives'\nbrakes,\nat the rail"):
             self.assertIn(part, words)
 
+    def test_name_of_the_rail_stands_below_its_node_and_beside_all_ribbons(self):
+        run = self.changed(self.braked)
+        run.account['traction_rim'][:], run.account['traction_rail'][:] = 0.0, 0.0  # the train's motion gives all
+        run.account['kinetic'][-1], run.account['air_brake'][-1] = -3e9, 2.9e9
+        run.locos['energy_rim'][:], run.locos['energy_rail'][:], run.locos['energy_slip'][:] = 0.0, 0.0, 0.0
+        for shown in (self.braked, run):
+            figure = draw_energy_flow(shown)
+            axes = figure.axes[0]
+            figure.draw_without_rendering()
+            name, = [text for text in axes.texts if text.get_text().startswith('at the rail\n')]
+            box = name.get_window_extent().transformed(axes.transData.inverted())
+            corners = [(x, y) for x in np.linspace(box.x0, box.x1, 9) for y in np.linspace(box.y0, box.y1, 9)]
+            for patch in axes.patches:
+                outline = Path(patch.get_path().transformed(patch.get_patch_transform()).to_polygons()[0])
+                self.assertFalse(outline.contains_points(corners).any(), patch)
+            self.assertEqual(crossings(axes), [])
+        self.assertNotIn('traction', name.get_text())  # there is none
+
     def test_spin_of_wheels_that_slow_down_goes_to_the_brakes_beside_the_rail(self):
         run = dataclasses.replace(self.braked, account={name: values.copy() for name, values in self.braked.account.items()},
                                   locos={name: values.copy() for name, values in self.braked.locos.items()})
@@ -153,6 +188,14 @@ class BrakingFiguresTest(unittest.TestCase):
         for part in ('fuel\n', 'shaft\n', 'link\n', 'motors, at the rim: ', 'resistors, at the link: ', ' l of fuel'):
             self.assertIn(part, words)
         self.assertIsNone(draw_energy_supply(self.plain))
+
+    def test_no_ribbon_of_the_supply_passes_through_a_node(self):
+        run = self.changed(self.braked)
+        run.locos['storage_out'][-1] += 20e6  # beside the shaft
+        for name in ('generator_loss', 'fuel'):  # over the link
+            run.locos[name][-1] += 5e6
+        for shown in (self.braked, run):
+            self.assertEqual(crossings(draw_energy_supply(shown).axes[0]), [])
 
     def test_sums_of_the_supply_are_those_of_the_bag(self):
         locos = {name: values.copy() for name, values in self.braked.locos.items()}
