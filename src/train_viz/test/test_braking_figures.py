@@ -212,6 +212,7 @@ class BrakingFiguresTest(unittest.TestCase):
         self.assertEqual([axes.get_title() for axes in (whole, wave)], ['whole run', 'first application'])
         self.assertLess(wave.get_xlim()[1], BRAKE_FROM_S + 31.0)
         self.assertEqual(whole.get_ylim(), (8.5, 0.5))
+        self.assertEqual(whole.get_yticks().tolist(), list(range(1, 9)))
         cylinders = figure.axes[2].collections[0].get_array().reshape(8, -1)
         self.assertTrue(np.ma.getmaskarray(cylinders)[:3].all())  # locomotives without shoes
         self.assertAlmostEqual(cylinders[7].max(), 3.8, places=9)
@@ -226,6 +227,18 @@ class BrakingFiguresTest(unittest.TestCase):
         self.assertAlmostEqual(lines[f"wagons' shoes: {self.written['air'][-1] / 1e6:.3g} MJ"],
                                self.written['air'][-1] / 1e6, places=9)
         self.assertIsNone(draw_brake_energy(self.plain))
+
+    def test_brake_energy_at_the_rail_is_the_sum_of_what_it_becomes(self):
+        run = self.changed(self.braked)
+        run.locos['shoes'][-1] += 2e6  # the wheels give more than they take at the rail: their spin
+        axes = draw_brake_energy(run).axes[0]
+        ends = {line.get_label().split(':')[0]: line.get_ydata()[-1] for line in axes.get_lines() if len(line.get_ydata())}
+        parts = ('recovered by motors, at the rim', "locomotives' shoes, braking", 'slip loss, braking',
+                 'wheel spin, braking (given back < 0)')
+        self.assertAlmostEqual(ends["locomotives' brakes, at the rail"], sum(ends[part] for part in parts), places=9)
+        self.assertLess(ends[parts[3]], -5.0)
+        self.assertLess(axes.get_ylim()[0], ends[parts[3]])
+        self.assertFalse(any(name.startswith('of it') for name in ends))
 
     def test_supply_without_brakes_has_no_panel_of_brakes_and_one_zero_for_both_scales(self):
         run = self.changed(self.braked)

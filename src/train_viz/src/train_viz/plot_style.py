@@ -100,6 +100,12 @@ def mark_limit(axes: Axes, line: Callable, limit: float, sides: List[float], wor
         axes.plot([], [], linestyle='none', label=words.format(sign='') + ', beyond the axis')
 
 
+def whole_ticks(count: int) -> List[int]:
+    """Of an axis that counts couplers or vehicles from 1: the first, the last, round numbers between."""
+    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 1000) if count <= 8 * s)
+    return sorted({1, count} | set(range(step, count - step // 4, step)))
+
+
 def align_zeros(left: Axes, right: Axes) -> None:
     """One zero for both scales of a panel; values of the right one are >= 0, so its numbers begin there."""
     low, high = left.get_ylim()
