@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy as np
 import rosunit
@@ -18,6 +19,7 @@ from train_viz import comparison_figures as figures
 from train_viz.comparison import FITTED, PREDICTED, Comparison
 from train_viz.comparison_page import comparison_page
 from train_viz.equal_speed_figure import draw_equal_speed
+from train_viz.run import ReportError
 from train_viz.run_folder import read_run_folders
 
 PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'scripts', 'paper_comparison')
@@ -333,6 +335,26 @@ class PaperComparisonTest(unittest.TestCase):
 
     def test_the_same_model_twice_is_refused(self):
         self.assert_refused(self.run_program('1d', '1d'), 'both are a run of 1d')
+
+    def test_runs_of_another_case_are_refused_before_any_bag_is_read(self):
+        for options, words in (({'wagons': 20}, 'its train is 3 x 134 t + 20 x 120 t, not 3 x 134 t + 105 x 120 t'),
+                               ({'changed_scenario': ('radius_m: 300', 'radius_m: 400')},
+                                'its line has R400 from 3.3 to 3.6 km, not R300 from 3.3 to 3.6 km'),
+                               ({'changed_scenario': ('start_location_km: 3.0', 'start_location_km: 2.5')},
+                                'it starts at 2.5 km, not 3 km'),
+                               ({'changed_scenario': ('curves', 'bends')}, 'its line has no curve')):
+            with tempfile.TemporaryDirectory() as directory, mock.patch('train_viz.run_folder.read_bag') as read_bag:
+                folder = write_run_folder(directory, '1d', duration_s=1.0, **options)
+                os.remove(os.path.join(folder, 'summary.csv'))  # what the case is comes first
+                with self.assertRaisesRegex(ReportError, re.escape(f"no run of the paper's case: {words}")):
+                    read_run_folders([self.folder['2d'], folder])
+                self.assertFalse(read_bag.called)
+
+    def test_a_pair_of_one_model_is_refused_before_any_bag_is_read(self):
+        with mock.patch('train_viz.run_folder.read_bag') as read_bag:
+            with self.assertRaisesRegex(ReportError, 'both are a run of 1d'):
+                read_run_folders([self.folder['1d'], self.folder['1d']])
+        self.assertFalse(read_bag.called)
 
     def test_summary_of_another_unit_or_without_a_place_is_refused(self):
         for old, new, word in (('traction_force,N,3.45', 'traction_force,kN,3.45', 'is in kN'),

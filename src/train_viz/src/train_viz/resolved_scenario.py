@@ -85,6 +85,15 @@ def read_locomotive_value(resolved: str, locomotive: int, *path: Any) -> Any:
         return None
 
 
+def read_vehicles(resolved: str) -> List[Tuple[int, Any]]:
+    """Count and vehicle of each group from the head; none if the text has no train that we understand."""
+    try:
+        found = list(_vehicles(_lookup(_load(resolved), 'train', 'groups')))
+    except (TypeError, ValueError):
+        return []
+    return found if all(isinstance(vehicle, dict) for _, vehicle in found) else []
+
+
 def _locomotive(groups: List[dict], number: int) -> Any:
     """The vehicle of the number-th locomotive; only locomotives have an adhesion limit."""
     for count, vehicle in _vehicles(groups):
