@@ -6,6 +6,7 @@ from train_viz import page
 from train_viz import paper_values as paper
 from train_viz.comparison import PREDICTED, Comparison, Row, Stages
 from train_viz.comparison_setup import identified_values, reproduction, setup
+from train_viz.comparison_verdict import verdict
 from train_viz.page import Badge, Section
 from train_viz.resolved_scenario import read_value
 from train_viz.run import RESIDUAL_WORDS
@@ -21,8 +22,8 @@ CAPTIONS = {
                               "paper states over the locomotive's weight.",
     'fig8_energy': 'Fig. 8. Energy by Eq. (4), final speed and time beside it; below, the difference in per cent and '
                    "the paper's percentages as diamonds.",
-    'fig9_force_difference': 'Fig. 9. The rate of Eq. (4) is the force, so these are differences of force. Diamonds: '
-                             'values that the paper states, or that follow from the forces that it states.',
+    'fig9_force_difference': 'Fig. 9. The rate of Eq. (4) is the force, so these are differences of force. Diamonds, '
+                             'filled as the bars they belong to: values that the paper states, or that follow from the forces that it states.',
 }
 
 
@@ -33,6 +34,7 @@ def comparison_page(c: Comparison, pictures: Dict[str, str]) -> str:
     missing = [model.upper() for model in ('1d', '2d', '3d') if not c.of_model(model)]
     if missing:
         lead.append(page.notice(_missing_words(c, missing)))
+    lead.append(page.bullets(verdict(c)))
     sections = [Section('Beside the paper', _beside_the_paper(c)),
                 Section('Figures', [page.picture(pictures[name], caption, caption) for name, caption in
                                     sorted(CAPTIONS.items()) if name in pictures]),
@@ -60,7 +62,7 @@ def _beside_the_paper(c: Comparison) -> List[str]:
                              'from 3D, which no parameter was tuned to. "Points" are percentage points.')]
     for (quantity, unit), rows in itertools.groupby(c.rows(), lambda row: (row.quantity, row.unit)):
         cells = [[row.place, row.whose, format(row.paper, PAPER_FORMATS[unit]), format(row.ours, FORMATS[unit]),
-                  *_deviation(row), Badge(row.kind, strong=row.kind == PREDICTED), row.why] for row in rows]
+                  *_deviation(row), Badge(row.kind, outlined=row.kind == PREDICTED), row.why] for row in rows]
         pieces.append(page.table([f'{quantity} [{UNITS[unit]}]', 'model', 'paper', 'here', 'deviation', 'relative', 'kind',
                                   'why'], cells, (0, 1, 6, 7), 'even'))
     pieces += [page.paragraph('The values that were identified, as these runs used them:'), identified_values(c)]
