@@ -304,6 +304,7 @@ class PaperComparisonTest(unittest.TestCase):
                       [row[:4] for row in rows])
         self.assertEqual(page.count('k0 = 0.075'), 2)  # beside both tables that show the slip loss
         self.assertIn('is not a saving', page)
+        self.assertNotIn('k0', re.sub('<pre>.*?</pre>', '', comparison_page(Comparison([self.folders['1d']]), {}), flags=re.S))
 
     def test_page_tells_residual_configuration_build_and_how_to_reproduce(self):
         page = comparison_page(self.four, {})

@@ -158,6 +158,11 @@ class ReportTest(unittest.TestCase):
                      f'{run.loco_energy_rim_J[-1, 0] / 1e6:.2f}', 'test', other):
             self.assertIn(f'>{text}</td>', page)
         self.assertIn('control: {law: pi, slip_limit: 0.07}', page)
+        for words in ('<li>adhesion_creep, adhesion_control, axle_loads of 1d: no wheels on the rail', '<li>brake_pressures of 2d: no air',
+                      'guiding_forces, wheel_contacts of 2d: nothing of every wheel'):
+            self.assertIn(words, page)
+        for words in ('<li>energy:', '<li>friction_adhesion', 'axle_loads of 2d', 'coupler_forces of'):  # they are there
+            self.assertNotIn(words, page)
         self.assertIn('is not a saving', page)
 
     def test_flow_picture_balances_and_names_every_stage_in_MJ(self):

@@ -77,10 +77,10 @@ def draw_brake_energy(run: Run) -> Optional[Figure]:
     parts = [('brakes', _draw_brakes)] * run.brakes() + [('supply', _draw_stores)] * with_supply
     figure, panels = plt.subplots(len(parts), 1, figsize=(9.5, 1.6 + 4.4 * len(parts)), sharex=True, squeeze=False)
     for i, (axes, (_, draw)) in enumerate(zip(panels[:, 0], parts)):
-        names_above = plot_style.shade_curves(axes, [run], labels=i == 0)
+        names_pt = plot_style.shade_curves(axes, [run], labels=i == 0)
         axes.set_ylabel('energy since the start [MJ]')
         draw(axes, run)
-        plot_style.legend_above(axes, 2, names_above)
+        plot_style.legend_above(axes, 2, names_pt)
     plot_style.set_place_axis(panels[-1, 0], [run])
     figure.suptitle(f'Energy of {" and ".join(words for words, _ in parts)} over place, whole train, {run.label}')
     return figure

@@ -148,20 +148,23 @@ def _energy_by_stage(c: Comparison) -> List[str]:
             page.paragraph('Eq. (4) counts the force at the rail times the way. What the motors pay at the rim is '
                            'more: it also covers the slip loss and the energy that spins up the wheels. A 1D '
                            'locomotive has no wheels, so both are the same.'),
-            page.paragraph(_k0_words(c)),
+            *[page.paragraph(words) for words in _k0_words(c)],
             *([page.paragraph('A 3D locomotive makes its curving resistance itself, in its contacts: Eq. (6) is not '
                               'applied to it, as it is in 1D and 2D.')] if c.has_3d else []),
             page.notice('Less energy at one place is not a saving: the train with less energy is slower there, and '
                         'lacks kinetic energy. See the comparison at equal speed.')]
 
 
-def _k0_words(c: Comparison) -> str:
+def _k0_words(c: Comparison) -> List[str]:
+    """Nothing where no run has wheels that slip."""
+    if all(folder.model == '1d' for folder in c.folders):
+        return []
     values = sorted({str(value) for value in (
         read_value(folder.run.resolved, 'adhesion', 'reduction', 'k0') for folder in c.folders) if value is not None})
     given = f'k0 = {", ".join(values)}' if values else 'k0'
     if values == ['0.075']:
         given += " (Table 1; the initial creep stiffness is 13 times softer than Kalker's)"
-    return f'The slip loss depends on {given}: a stiffer contact carries the same force with less creep, and loses less.'
+    return [f'The slip loss depends on {given}: a stiffer contact carries the same force with less creep, and loses less.']
 
 
 def _equal_speed(c: Comparison, pictures: Dict[str, str]) -> List[str]:
@@ -177,7 +180,7 @@ def _equal_speed(c: Comparison, pictures: Dict[str, str]) -> List[str]:
                              'locomotive first reaches it. All trains then have the same kinetic energy but for what '
                              'couplers still move; they have come different ways, so resistances took different shares.'),
               page.table(['model', 'time [s]', 'place [km]', *STAGE_HEADER, *_against_header(c)], rows)]
-    pieces.append(page.paragraph(_k0_words(c)))
+    pieces += [page.paragraph(words) for words in _k0_words(c)]
     if 'equal_speed' in pictures:
         pieces.append(page.picture(pictures['equal_speed'], 'Energy of the leading locomotive over speed',
                                    'Energy over speed, and by stage at equal speed: rail + slip + storage.'))

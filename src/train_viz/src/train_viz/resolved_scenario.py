@@ -85,6 +85,15 @@ def read_locomotive_value(resolved: str, locomotive: int, *path: Any) -> Any:
         return None
 
 
+def read_axle_reach(resolved: str, locomotive: int) -> Optional[float]:
+    """How far a locomotive's outermost axles are from its middle [m], or None without bodies that we understand."""
+    bodies = read_locomotive_value(resolved, locomotive, 'bodies')
+    try:
+        return float(_lookup(bodies, 'bogie_frames', 'x_m')) + max(map(float, _lookup(bodies, 'wheelsets', 'x_m')))
+    except (TypeError, ValueError):
+        return None
+
+
 def read_vehicles(resolved: str) -> List[Tuple[int, Any]]:
     """Count and vehicle of each group from the head; none if the text has no train that we understand."""
     try:
