@@ -23,8 +23,7 @@ std::string wordFor(TrainStatus::Phase phase);
 bool ended(TrainStatus::Phase phase);
 
 /// What to do where no status comes: of a bag, for instance, which has none.
-inline constexpr char kNoTrain[] =
-    "No train to hold. A bag is held by rosbag's space bar.";
+inline constexpr char kNoTrain[] = "No train to hold. A bag is held by rosbag's space bar.";
 /// The phase, and for how long a train that has not ended has been silent.
 /// @param silence_s  wall time since the last status
 std::string phaseWords(const std::optional<TrainStatus>& status, double silence_s);
