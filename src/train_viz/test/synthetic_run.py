@@ -16,6 +16,7 @@ RESIDUAL_RELATIVE = 3.25e-8
 MORE = '''
 description: synthetic %(key)s
 locomotive_model: %(model)s
+run: {start_location_km: 3.0}
 adhesion: {friction: {B_s_per_m: 0.275}, reduction: {k0: 0.075}}
 steps: {macro_step_s: 0.002, micro_step_s: 0.001}
 '''
@@ -27,13 +28,15 @@ def write_run_folder(directory: str, key: str, changed: Optional[Values] = None,
                      outcome: str = 'finished', **options) -> str:
     """A run of the paper's case; `key` as in paper_KEY. Returns its folder.
 
+    @param options of write_bag; `changed_scenario`: what to replace in its text, and by what
     @param changed values of the leading locomotive in summary.csv that differ from those of the bag
     """
     model, folder = key[:2], os.path.join(directory, key)
     os.makedirs(folder)
     wheels = model != '1d'
-    locos, wagons, scenario = 3, 105, f'paper_{key}'
-    rows = write_bag(os.path.join(folder, f'{scenario}.bag'), scenario, locos, wagons, resolved=(RESOLVED + MORE) % locals(),
+    locos, wagons, scenario = 3, options.pop('wagons', 105), f'paper_{key}'
+    resolved = ((RESOLVED + MORE) % locals()).replace(*options.pop('changed_scenario', ('', '')))
+    rows = write_bag(os.path.join(folder, f'{scenario}.bag'), scenario, locos, wagons, resolved=resolved,
                      with_wheels=(1,) if wheels else (), period_s=PERIOD_S, slip=slip if wheels else 0.0,
                      end_km=4.51, **{'limit_N': MODEL_LIMIT_N[model], **options})
     with open(os.path.join(folder, 'summary.csv'), 'w', encoding='utf-8', newline='') as file:

@@ -12,6 +12,7 @@ from std_msgs.msg import String
 from synthetic_bag import AXLES, write_bag
 from train_viz.bag_reader import read_bag
 from train_viz.run import ReportError, join_parts
+from train_viz.run_labels import labels_of
 
 
 class BagReaderTest(unittest.TestCase):
@@ -156,6 +157,19 @@ class BagReaderTest(unittest.TestCase):
             write_bag(path, run_id=run_id, duration_s=1.0)
         self.assertEqual([run.label for run in join_parts([read_bag(path) for path in paths])],
                          ['synthetic (dry)', 'synthetic (wet)'])
+
+    def test_runs_of_a_sweep_are_told_apart_by_the_values_that_differ(self):
+        def labels(*scenarios):
+            return labels_of([('s', text, f'{i:03}/s.bag') for i, text in enumerate(scenarios, start=1)])
+
+        self.assertEqual(labels('a: {mu: 0.25, list: [1, 2]}', 'a: {mu: 0.30, list: [1, 2]}'), ['s (mu 0.25)', 's (mu 0.3)'])
+        self.assertEqual(labels('{a: {x: 1}, b: {x: 2}}', '{a: {x: 1}, b: {x: 3}}', '{a: {x: 4}, b: {x: 3}}'),
+                         ['s (a.x 1, b.x 2)', 's (a.x 1, b.x 3)', 's (a.x 4, b.x 3)'])
+        self.assertEqual(labels('x: 1', '{x: 1, y: 2}'), ['s (y -)', 's (y 2)'])
+        folders = ['s (001)', 's (002)']
+        self.assertEqual(labels('{x: 1, y: 2, z: 3}', '{x: 2, y: 3, z: 4}'), folders)  # too many to read
+        self.assertEqual(labels('table: "0,0"', 'table: "0,0,1,1,2,2,3,3,4,4"'), folders)
+        self.assertEqual(labels('x: 1', 'x: 1'), folders)  # of two builds
 
     def test_labels_given_are_in_order_and_one_for_each_run(self):
         write_bag(self.path, run_id=1, duration_s=1.0)

@@ -8,6 +8,8 @@ import unittest
 import numpy as np
 import rosunit
 from matplotlib import pyplot as plt
+from matplotlib.patches import PathPatch, Rectangle
+from matplotlib.path import Path
 
 from synthetic_bag import write_bag
 from train_viz.account_figure import draw_energy_account
@@ -23,6 +25,21 @@ BRAKE_FROM_S = 40.0
 
 def texts(figure):
     return ' '.join(text.get_text() for text in figure.axes[0].texts)
+
+
+def crossings(axes):
+    """Pairs of a ribbon and a node of a flow picture that it passes through, between its ends."""
+    ribbons = [patch.get_path() for patch in axes.patches if isinstance(patch, PathPatch)]
+    nodes = [patch for patch in axes.patches if isinstance(patch, Rectangle)]
+    found = []
+    for ribbon in ribbons:
+        outline = Path(ribbon.to_polygons()[0])
+        for node in nodes:
+            x, low, height = node.get_x() + node.get_width() / 2.0, node.get_y(), node.get_height()
+            inside = [(x, y) for y in np.linspace(low, low + height, 101)[1:-1]]
+            if outline.contains_points(inside).any():
+                found.append((ribbon, node))
+    return found
 
 
 class BrakingFiguresTest(unittest.TestCase):
@@ -121,6 +138,24 @@ class BrakingFiguresTest(unittest.TestCase):
         for part in ('at the rail\n', 'of it traction\n', 'at the rim: ', "locomotives'\nbrakes,\nat the rail"):
             self.assertIn(part, words)
 
+    def test_name_of_the_rail_stands_below_its_node_and_beside_all_ribbons(self):
+        run = self.changed(self.braked)
+        run.account['traction_rim'][:], run.account['traction_rail'][:] = 0.0, 0.0  # the train's motion gives all
+        run.account['kinetic'][-1], run.account['air_brake'][-1] = -3e9, 2.9e9
+        run.locos['energy_rim'][:], run.locos['energy_rail'][:], run.locos['energy_slip'][:] = 0.0, 0.0, 0.0
+        for shown in (self.braked, run):
+            figure = draw_energy_flow(shown)
+            axes = figure.axes[0]
+            figure.draw_without_rendering()
+            name, = [text for text in axes.texts if text.get_text().startswith('at the rail\n')]
+            box = name.get_window_extent().transformed(axes.transData.inverted())
+            corners = [(x, y) for x in np.linspace(box.x0, box.x1, 9) for y in np.linspace(box.y0, box.y1, 9)]
+            for patch in axes.patches:
+                outline = Path(patch.get_path().transformed(patch.get_patch_transform()).to_polygons()[0])
+                self.assertFalse(outline.contains_points(corners).any(), patch)
+            self.assertEqual(crossings(axes), [])
+        self.assertNotIn('traction', name.get_text())  # there is none
+
     def test_spin_of_wheels_that_slow_down_goes_to_the_brakes_beside_the_rail(self):
         run = dataclasses.replace(self.braked, account={name: values.copy() for name, values in self.braked.account.items()},
                                   locos={name: values.copy() for name, values in self.braked.locos.items()})
@@ -168,6 +203,14 @@ class BrakingFiguresTest(unittest.TestCase):
             self.assertIn(part, words)
         self.assertIsNone(draw_energy_supply(self.plain))
 
+    def test_no_ribbon_of_the_supply_passes_through_a_node(self):
+        run = self.changed(self.braked)
+        run.locos['storage_out'][-1] += 20e6  # beside the shaft
+        for name in ('generator_loss', 'fuel'):  # over the link
+            run.locos[name][-1] += 5e6
+        for shown in (self.braked, run):
+            self.assertEqual(crossings(draw_energy_supply(shown).axes[0]), [])
+
     def test_sums_of_the_supply_are_those_of_the_bag(self):
         locos = {name: values.copy() for name, values in self.braked.locos.items()}
         for i, name in enumerate(('line_drawn', 'line_returned', 'line_loss', 'unserved', 'auxiliaries_unfed')):
@@ -183,6 +226,7 @@ class BrakingFiguresTest(unittest.TestCase):
         self.assertEqual([axes.get_title() for axes in (whole, wave)], ['whole run', 'first application'])
         self.assertLess(wave.get_xlim()[1], BRAKE_FROM_S + 31.0)
         self.assertEqual(whole.get_ylim(), (8.5, 0.5))
+        self.assertEqual(whole.get_yticks().tolist(), list(range(1, 9)))
         cylinders = figure.axes[2].collections[0].get_array().reshape(8, -1)
         self.assertTrue(np.ma.getmaskarray(cylinders)[:3].all())  # locomotives without shoes
         self.assertAlmostEqual(cylinders[7].max(), 3.8, places=9)
@@ -197,6 +241,18 @@ class BrakingFiguresTest(unittest.TestCase):
         self.assertAlmostEqual(lines[f"wagons' shoes: {self.written['air'][-1] / 1e6:.3g} MJ"],
                                self.written['air'][-1] / 1e6, places=9)
         self.assertIsNone(draw_brake_energy(self.plain))
+
+    def test_brake_energy_at_the_rail_is_the_sum_of_what_it_becomes(self):
+        run = self.changed(self.braked)
+        run.locos['shoes'][-1] += 2e6  # the wheels give more than they take at the rail: their spin
+        axes = draw_brake_energy(run).axes[0]
+        ends = {line.get_label().split(':')[0]: line.get_ydata()[-1] for line in axes.get_lines() if len(line.get_ydata())}
+        parts = ('recovered by motors, at the rim', "locomotives' shoes, braking", 'slip loss, braking',
+                 'wheel spin, braking (given back < 0)')
+        self.assertAlmostEqual(ends["locomotives' brakes, at the rail"], sum(ends[part] for part in parts), places=9)
+        self.assertLess(ends[parts[3]], -5.0)
+        self.assertLess(axes.get_ylim()[0], ends[parts[3]])
+        self.assertFalse(any(name.startswith('of it') for name in ends))
 
     def test_supply_without_brakes_has_no_panel_of_brakes_and_one_zero_for_both_scales(self):
         run = self.changed(self.braked)

@@ -8,16 +8,20 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy as np
 import rosunit
 from matplotlib import pyplot as plt
+from matplotlib.colors import to_rgb
 
 from synthetic_run import RESIDUAL_RELATIVE, write_run_folder
 from train_viz import comparison_figures as figures
 from train_viz.comparison import FITTED, PREDICTED, Comparison
 from train_viz.comparison_page import comparison_page
+from train_viz.comparison_verdict import verdict
 from train_viz.equal_speed_figure import draw_equal_speed
+from train_viz.run import ReportError
 from train_viz.run_folder import read_run_folders
 
 PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'scripts', 'paper_comparison')
@@ -198,8 +202,11 @@ class PaperComparisonTest(unittest.TestCase):
         self.assertAlmostEqual(of_1d[1].get_height(), 12.5, places=9)
         self.assertAlmostEqual(of_2d[2].get_height(), -8.6, places=9)
         self.assertEqual(axes.get_ylabel(), 'difference of traction against 3D [%]')
-        ((words, (mark_1d, mark_2d)),) = marks(axes).items()
-        self.assertIn('1D against 3D +12.5 % at 3.3 km; 2D against 3D -8.6 % at 3.4 km', words)
+        (mark_1d,), (mark_2d,) = (marks(axes)[words] for words in ('paper, 1D against 3D: +12.5 % at 3.3 km',
+                                                                  'paper, 2D against 3D: -8.6 % at 3.4 km'))
+        diamonds = [line for line in axes.get_lines() if line.get_marker() == 'D']
+        self.assertEqual([to_rgb(line.get_markerfacecolor()) for line in diamonds],
+                         [bars[0].get_facecolor()[:3] for bars in (of_1d, of_2d)])
         np.testing.assert_allclose(mark_1d, (of_1d[1].get_x() + of_1d[1].get_width() / 2.0, 12.5), rtol=1e-9)
         np.testing.assert_allclose(mark_2d, (of_2d[2].get_x() + of_2d[2].get_width() / 2.0, -8.6), rtol=1e-9)
 
@@ -238,6 +245,37 @@ class PaperComparisonTest(unittest.TestCase):
 
     # ---- page
 
+    def test_page_says_first_what_is_as_in_the_paper_and_what_is_not(self):
+        words = verdict(self.four)
+        page = html.unescape(comparison_page(self.four, {}))
+        self.assertLess(page.index(words[0]), page.index('<section'))
+        for part in ('Fitted: forces of 1D and 2D and the ratio of their energies lie within 0.00 % of',
+                     'As in the paper: 3D pulls 416.0 kN at 3.15 km, on straight track, the paper\'s 416 kN (+0.0 %); the '
+                     'order is 2D below 3D below 1D.',
+                     'As in the paper: into the curve the force of 3D rises by 1.7 %, the paper\'s rises by 1.7 %; 423.0 kN at '
+                     '3.45 km against 423 kN (+0.0 %).',
+                     'Not as in the paper: 3D two-point pulls 384.0 kN at 3.15 km, on straight track, the paper\'s 416 kN '
+                     '(-7.7 %); the order is 3D below 2D below 1D, the paper\'s 2D below 3D below 1D.',
+                     'Not as in the paper: into the curve the force of 3D two-point falls by 1.0 %, the paper\'s rises by 1.7 %',
+                     'As in the paper in sign: 1D against 3D, traction +8.7 to +12.5 % (paper +8.7 to +12.5 %); energy '
+                     '+2.5 to +7.6 % (paper +2.5 to +7.6 %).'):
+            self.assertTrue(any(part in sentence for sentence in words), (part, words))
+        self.assertEqual(len(words), 1 + 2 * 2 + 2)
+        self.assertEqual(len(verdict(self.two)), 1)  # without 3D only what is fitted
+
+    def test_opposite_signs_are_told_first_of_all(self):
+        with tempfile.TemporaryDirectory() as directory:
+            folder, = read_run_folders([write_run_folder(directory, '2d', {**as_in_the_paper('2d'),
+                                                                                ('traction_force', 3.45): 424e3})])
+            comparison = Comparison([folder, self.folders['3d']])
+        self.assertIn('Not as in the paper: 2D against 3D', verdict(comparison)[-1])
+        self.assertIn('opposite sign at 1 of 5 values', verdict(comparison)[-1])
+
+    def test_badges_of_kinds_have_no_colour_of_praise(self):
+        badge = re.search(r'\.badge\.outlined {([^}]*)}', comparison_page(self.four, {}))[1]
+        for colour in re.findall('#([0-9a-f]+)', badge):
+            self.assertEqual(len(set(colour)), 1, colour)  # grey
+
     def test_page_has_every_value_beside_the_papers_with_its_kind(self):
         rows = cells_of(comparison_page(self.four, {}))
         for expected in (['3.15 km', '1D', '460', '460.0', '+0.00 kN', '+0.00 %', 'fitted'],
@@ -266,6 +304,7 @@ class PaperComparisonTest(unittest.TestCase):
                       [row[:4] for row in rows])
         self.assertEqual(page.count('k0 = 0.075'), 2)  # beside both tables that show the slip loss
         self.assertIn('is not a saving', page)
+        self.assertNotIn('k0', re.sub('<pre>.*?</pre>', '', comparison_page(Comparison([self.folders['1d']]), {}), flags=re.S))
 
     def test_page_tells_residual_configuration_build_and_how_to_reproduce(self):
         page = comparison_page(self.four, {})
@@ -333,6 +372,26 @@ class PaperComparisonTest(unittest.TestCase):
 
     def test_the_same_model_twice_is_refused(self):
         self.assert_refused(self.run_program('1d', '1d'), 'both are a run of 1d')
+
+    def test_runs_of_another_case_are_refused_before_any_bag_is_read(self):
+        for options, words in (({'wagons': 20}, 'its train is 3 x 134 t + 20 x 120 t, not 3 x 134 t + 105 x 120 t'),
+                               ({'changed_scenario': ('radius_m: 300', 'radius_m: 400')},
+                                'its line has R400 from 3.3 to 3.6 km, not R300 from 3.3 to 3.6 km'),
+                               ({'changed_scenario': ('start_location_km: 3.0', 'start_location_km: 2.5')},
+                                'it starts at 2.5 km, not 3 km'),
+                               ({'changed_scenario': ('curves', 'bends')}, 'its line has no curve')):
+            with tempfile.TemporaryDirectory() as directory, mock.patch('train_viz.run_folder.read_bag') as read_bag:
+                folder = write_run_folder(directory, '1d', duration_s=1.0, **options)
+                os.remove(os.path.join(folder, 'summary.csv'))  # what the case is comes first
+                with self.assertRaisesRegex(ReportError, re.escape(f"no run of the paper's case: {words}")):
+                    read_run_folders([self.folder['2d'], folder])
+                self.assertFalse(read_bag.called)
+
+    def test_a_pair_of_one_model_is_refused_before_any_bag_is_read(self):
+        with mock.patch('train_viz.run_folder.read_bag') as read_bag:
+            with self.assertRaisesRegex(ReportError, 'both are a run of 1d'):
+                read_run_folders([self.folder['1d'], self.folder['1d']])
+        self.assertFalse(read_bag.called)
 
     def test_summary_of_another_unit_or_without_a_place_is_refused(self):
         for old, new, word in (('traction_force,N,3.45', 'traction_force,kN,3.45', 'is in kN'),

@@ -8,7 +8,7 @@ import numpy as np
 import rosunit
 from matplotlib import pyplot as plt
 
-from synthetic_bag import write_bag
+from synthetic_bag import RESOLVED, write_bag
 from train_viz.bag_reader import read_bag
 from train_viz.place_figures import draw_energy, draw_speed_notch, draw_traction_force
 
@@ -83,6 +83,30 @@ class PlaceFiguresTest(unittest.TestCase):
         self.assertIsNone(draw_energy([run]))
         speed, = draw_speed_notch([run]).axes
         self.assertIn('notch is 0', speed.get_title())
+
+    def test_names_of_many_curves_stand_upright_and_none_is_missing(self):
+        curve = '    - {start_km: %.3f, radius_m: %d, direction: left, circular_m: 10}\n'
+        head, end = RESOLVED % {'scenario': 's', 'locos': 3, 'wagons': 5}, 3.5
+        head = head[:head.index('    - {start_km')]
+        for count, rotation in ((3, 0.0), (18, 90.0)):
+            write_bag(self.bag, end_km=end, resolved=head + ''.join(
+                curve % (3.02 + 0.46 / count * i, 300 + i) for i in range(count)))
+            figure = draw_traction_force([read_bag(self.bag)])
+            names = [text for text in figure.axes[0].texts if text.get_text().startswith('R3')]
+            self.assertEqual([text.get_text() for text in names], [f'R{300 + i}' for i in range(count)])
+            self.assertEqual({text.get_rotation() for text in names}, {rotation})
+            figure.draw_without_rendering()
+            boxes = [text.get_window_extent() for text in names]
+            for one, other in zip(boxes, [*boxes[1:], figure.axes[0].title.get_window_extent()]):
+                self.assertFalse(one.overlaps(other))
+
+    def test_axis_says_where_axles_meet_other_rail_of_runs_with_wheels(self):
+        bodies = 'bodies: {bogie_frames: {x_m: 6.5}, wheelsets: {x_m: [1.5, 0.0, -1.5]}}, '
+        wet = (RESOLVED % {'scenario': 's', 'locos': 3, 'wagons': 5}).replace('mass_kg: 134000', bodies + 'mass_kg: 134000')
+        for place, wheels, noted in ((3.2, (1,), True), (3.2, (), False), (7.0, (1,), False)):
+            write_bag(self.bag, with_wheels=wheels, resolved=wet + f'rail_sections: [{{from_km: {place}, to_km: {place + 0.1}}}]\n')
+            label = draw_traction_force([read_bag(self.bag)]).axes[0].get_xlabel()
+            self.assertEqual('its axles meet the hatched rail at their own places, up to 8.0 m earlier or later' in label, noted)
 
     def test_energy_is_in_MJ_and_kWh(self):
         written = write_bag(self.bag, duration_s=60.0)

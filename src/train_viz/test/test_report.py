@@ -17,6 +17,7 @@ from train_viz.bag_reader import read_bag
 from train_viz.coupler_figure import COLUMNS, bin_extremes, draw_coupler_forces
 from train_viz.flow_figure import draw_energy_flow, flows_of
 from train_viz.place_figures import draw_energy
+from train_viz.run import ReportError
 
 REPORT = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'scripts', 'report')
 COMPARISONS = ('traction_force', 'energy', 'speed_notch', 'energy_account')
@@ -157,6 +158,11 @@ class ReportTest(unittest.TestCase):
                      f'{run.loco_energy_rim_J[-1, 0] / 1e6:.2f}', 'test', other):
             self.assertIn(f'>{text}</td>', page)
         self.assertIn('control: {law: pi, slip_limit: 0.07}', page)
+        for words in ('<li>adhesion_creep, adhesion_control, axle_loads of 1d: no wheels on the rail', '<li>brake_pressures of 2d: no air',
+                      'guiding_forces, wheel_contacts of 2d: nothing of every wheel'):
+            self.assertIn(words, page)
+        for words in ('<li>energy:', '<li>friction_adhesion', 'axle_loads of 2d', 'coupler_forces of'):  # they are there
+            self.assertNotIn(words, page)
         self.assertIn('is not a saving', page)
 
     def test_flow_picture_balances_and_names_every_stage_in_MJ(self):
@@ -183,6 +189,26 @@ class ReportTest(unittest.TestCase):
         mesh = draw_coupler_forces(run).axes[0].collections[0]
         self.assertEqual(mesh.get_clim(), (-5000.0, 5000.0))
         self.assertEqual(mesh.get_array().min(), -5000.0)
+
+    def test_title_of_couplers_takes_the_peaks_of_every_step_from_the_runs_folder(self):
+        write_bag(self.bag, duration_s=60.0)
+        run = read_bag(self.bag)
+        path = os.path.join(os.path.dirname(self.bag), 'couplers.csv')
+
+        def title(largest_draft_N, couplers=7):
+            with open(path, 'w', encoding='utf-8') as file:
+                file.write('coupler,largest_draft_N,draft_time_s,draft_location_km,largest_buff_N,buff_time_s,buff_location_km\n')
+                file.writelines(f'{i},{largest_draft_N},1,3,{1.5e6 if i == 5 else 0.9e6},1,3\n' for i in range(1, couplers + 1))
+            return draw_coupler_forces(run).axes[0].get_title()
+
+        self.assertIn('largest of every step: draft 2000 kN (coupler 1), buff 1500 kN (coupler 5)', title(2e6))
+        largest = f'largest of the recorded samples: draft {run.coupler_force_N.max() / 1e3:.0f} kN'
+        self.assertIn(largest, title(0.9 * run.coupler_force_N.max()))  # of a run that stopped earlier
+        self.assertIn(largest, title(2e6, couplers=8))                  # of another train
+        with self.assertRaisesRegex(ReportError, 'couplers.csv, line 2'):
+            title('x')
+        os.remove(path)
+        self.assertIn(largest, draw_coupler_forces(run).axes[0].get_title())
 
     def test_bins_hold_the_value_farthest_from_zero(self):
         values = np.zeros((10 * COLUMNS, 2))

@@ -128,13 +128,13 @@ def draw_friction_adhesion(runs: List[Run]) -> Optional[Figure]:
     with_wheels = [run for _, run in shown]
     colours = [plot_style.line_style(i)['color'] for i, _ in shown]  # of a run in the other figures, too
     figure, axes = plt.subplots(figsize=(9.0, 5.6))
-    plot_style.shade_curves(axes, with_wheels, range_km=place_range_km(with_wheels))
+    names_pt = plot_style.shade_curves(axes, with_wheels, range_km=place_range_km(with_wheels))
     for run, colour in zip(with_wheels, colours):
         _draw_friction_of(axes, run, colour)
     plot_style.start_at_zero(axes)
     _add_friction_keys(axes, with_wheels, colours)
     title = f'Friction and adhesion, {_which(with_wheels)}' + (f', {with_wheels[0].label}' if len(shown) == 1 else '')
-    axes.set_title(title, pad=22)
+    axes.set_title(title, pad=plot_style.title_pad(names_pt))
     axes.set_ylabel('coefficient of friction or adhesion [-]')
     set_place_axis(axes, with_wheels)
     absent = [run.label for run in runs if run.adhesion is None]
@@ -185,7 +185,7 @@ def set_place_axis(axes: Axes, runs: List[Run]) -> None:
     plot_style.set_place_axis(axes, runs)
     if any(run.adhesion.locomotive != 1 for run in runs):
         axes.set_xlim(*place_range_km(runs))
-        axes.set_xlabel(f'place of {_which(runs)} [km]')
+        axes.set_xlabel(f'place of {_which(runs)} [km]' + plot_style.axles_note(runs, place_range_km(runs)))
 
 
 def whose(run: Run) -> str:

@@ -1,4 +1,5 @@
 """Reads what LTD wrote: a bag becomes a Run. The only file here that knows rosbag and the messages."""
+import contextlib
 import dataclasses
 import os
 import re
@@ -44,28 +45,41 @@ def read_bag(path: str, locomotive: Optional[int] = None) -> Run:
                       that has any
     @raise ReportError naming the file and what to do
     """
+    with _opened(path) as bag:
+        with_wheels = _check_topics(path, bag, locomotive)
+        configuration = _read_configuration(path, bag)
+        states, energies, wheels, count = _read_rows(path, bag, with_wheels)
+        adhesion = _make_adhesion(path, with_wheels, wheels)
+        if adhesion is not None and adhesion.wheels is not None:
+            adhesion = dataclasses.replace(adhesion, wheelsets=read_wheelsets(bag, adhesion, configuration.resolved))
+    run = _make_run(path, configuration, states, energies, count)
+    count = run.traction_N.shape[1]
+    if locomotive is not None and not 1 <= locomotive <= count:
+        raise ReportError(f'{path}: no locomotive {locomotive}: the train has {count}, 1 is the leading one')
+    return dataclasses.replace(run, locomotive=locomotive or 1, adhesion=adhesion)
+
+
+def read_configuration(path: str) -> RunConfiguration:
+    """What made a bag's run, without reading its rows; refuses what `read_bag` refuses before it reads them."""
+    with _opened(path) as bag:
+        _check_topics(path, bag, None)
+        return _read_configuration(path, bag)
+
+
+@contextlib.contextmanager
+def _opened(path: str) -> Iterator[rosbag.Bag]:
     if not os.path.isfile(path):
         raise ReportError(f'{path}: no such file: check the path')
     if os.path.getsize(path) == 0:
         raise ReportError(f'{path}: empty file: the run was killed before it wrote anything, simulate again')
     try:
         with rosbag.Bag(path) as bag:
-            with_wheels = _check_topics(path, bag, locomotive)
-            configuration = _read_configuration(path, bag)
-            states, energies, wheels, count = _read_rows(path, bag, with_wheels)
-            adhesion = _make_adhesion(path, with_wheels, wheels)
-            if adhesion is not None and adhesion.wheels is not None:
-                adhesion = dataclasses.replace(adhesion, wheelsets=read_wheelsets(bag, adhesion, configuration.resolved))
+            yield bag
     except rosbag.ROSBagUnindexedException:
         raise ReportError(f'{path}: bag was never closed: wait for the end of the run, or repair a copy of it with '
                           f"'rosbag reindex'") from None
     except UNREADABLE as error:
         raise ReportError(f'{path}: not a readable bag ({_one_line(error)}): record or simulate it again') from None
-    run = _make_run(path, configuration, states, energies, count)
-    count = run.traction_N.shape[1]
-    if locomotive is not None and not 1 <= locomotive <= count:
-        raise ReportError(f'{path}: no locomotive {locomotive}: the train has {count}, 1 is the leading one')
-    return dataclasses.replace(run, locomotive=locomotive or 1, adhesion=adhesion)
 
 
 def _one_line(error: BaseException) -> str:

@@ -63,6 +63,7 @@ def _draw_map(axes: Axes, time_s: np.ndarray, values: np.ndarray, window_s: Tupl
     axes.set_facecolor('0.85')
     axes.grid(False)
     axes.set_ylim(vehicles + 0.5, 0.5)  # the head of the train on top
+    axes.set_yticks(plot_style.whole_ticks(vehicles))
     axes.set_xlim(*window_s)
     return image
 
@@ -76,19 +77,22 @@ def draw_brake_energy(run: Run) -> Optional[Figure]:
     parts = [('brakes', _draw_brakes)] * run.brakes() + [('supply', _draw_stores)] * with_supply
     figure, panels = plt.subplots(len(parts), 1, figsize=(9.5, 1.6 + 4.4 * len(parts)), sharex=True, squeeze=False)
     for i, (axes, (_, draw)) in enumerate(zip(panels[:, 0], parts)):
-        names_above = plot_style.shade_curves(axes, [run], labels=i == 0)
+        names_pt = plot_style.shade_curves(axes, [run], labels=i == 0)
         axes.set_ylabel('energy since the start [MJ]')
         draw(axes, run)
-        plot_style.legend_above(axes, 2, names_above)
+        plot_style.legend_above(axes, 2, names_pt)
     plot_style.set_place_axis(panels[-1, 0], [run])
     figure.suptitle(f'Energy of {" and ".join(words for words, _ in parts)} over place, whole train, {run.label}')
     return figure
 
 
-BRAKE_LINES = (  # field of the account or of `between_rim_and_rail`, words, colour
+# Field of the account or of `between_rim_and_rail`, words, colour. The first is the sum of the four that follow.
+BRAKE_LINES = (
     ('brake_rail', "locomotives' brakes, at the rail", '0.6', '-'),
-    ('recovered_rim', 'of it recovered by motors, at the rim', '#1B7837', '-'),
-    ('shoes_braking', "of it in locomotives' shoes", plot_style.ORANGE, '--'),
+    ('recovered_rim', 'recovered by motors, at the rim', '#1B7837', '-'),
+    ('shoes_braking', "locomotives' shoes, braking", plot_style.ORANGE, '--'),
+    ('slip_braking', 'slip loss, braking', plot_style.SKY, '--'),
+    ('rest_braking', 'wheel spin, braking (given back < 0)', plot_style.PURPLE, '--'),
     ('shoes_driving', "locomotives' shoes, pulled against", plot_style.ORANGE, ':'),
     ('air_brake', "wagons' shoes", '#7F3B08', '-'),
 )
@@ -104,13 +108,15 @@ SUPPLY_LINES = (  # of TrainEnergy's lists, less their start
 
 
 def _draw_brakes(axes: Axes, run: Run) -> None:
-    parted = {name: values.sum(axis=1) for name, values in between_rim_and_rail(run).items()}
+    parted, lowest = {name: values.sum(axis=1) for name, values in between_rim_and_rail(run).items()}, 0.0
     for name, words, colour, dashes in BRAKE_LINES:
         values = (parted[name] if name in parted else run.account[name]) / 1e6
         if np.abs(values).max() > SHOWN_MJ:
             axes.plot(run.location_km, values, dashes, color=colour, linewidth=3.2 if name == 'brake_rail' else 1.8,
                       label=f'{words}: {sankey.number(values[-1])} MJ')
-    plot_style.start_at_zero(axes)
+            lowest = min(lowest, values.min())
+    if lowest > -SHOWN_MJ:
+        plot_style.start_at_zero(axes)
 
 
 def _draw_stores(axes: Axes, run: Run) -> None:

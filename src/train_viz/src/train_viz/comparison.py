@@ -50,17 +50,10 @@ class Stages:
 
 
 class Comparison:
-    """Finished runs of the paper's case, in the order 1D, 2D, 3D.
-
-    @raise ReportError if a run has not reported what the comparison needs
-    """
+    """Finished runs of the paper's case, in the order 1D, 2D, 3D."""
 
     def __init__(self, folders: List[RunFolder]):
         self.folders = folders
-        for folder in folders:
-            for place in paper.REPORT_PLACES_KM:
-                self.force_kN(folder, place)
-                self.stages(folder, place)
 
     @property
     def runs(self) -> List[Run]:

@@ -178,8 +178,8 @@ def draw_fig9(c: Comparison) -> Optional[Figure]:
         bars = axes.bar(at, values, 0.92 * width, color=colour_of(c, folder), label=f'{folder.label} against {base.label}')
         axes.bar_label(bars, [f'{value:+.1f}' for value in values], padding=8, fontsize=10, zorder=7,
                        bbox={'facecolor': 'white', 'edgecolor': 'none', 'alpha': 0.75, 'pad': 0.5})
-        marks[folder.label] = [(at[places.index(place)], place, value)
-                               for place, value in _paper_forces(folder.model, base.model) if place in places]
+        marks[folder.label] = colour_of(c, folder), [(at[places.index(place)], place, value) for place, value in
+                                                     _paper_forces(folder.model, base.model) if place in places]
     _mark_differences(axes, base, marks)
     axes.set_xticks(range(len(places)), [f'{place:g}' for place in places])
     axes.grid(axis='x', visible=False)
@@ -191,13 +191,13 @@ def draw_fig9(c: Comparison) -> Optional[Figure]:
     return figure
 
 
-def _mark_differences(axes: Axes, base: RunFolder, marks: Dict[str, List[Tuple[float, float, float]]]) -> None:
-    """Of each run (position on the axis, place, value). Black, for they stand on the bars; so one legend tells all."""
-    words = [f'{label} against {base.label} ' + ', '.join(f'{value:+.1f} % at {place:g} km' for _, place, value in points)
-             for label, points in marks.items() if points]
-    points = [(x, value) for those in marks.values() for x, _, value in those]
-    if points:
-        axes.plot(*zip(*points), color='black', label='paper, each at its bar: ' + '; '.join(words), **PAPER_STYLE)
+def _mark_differences(axes: Axes, base: RunFolder, marks: Dict[str, Tuple[str, List[Tuple[float, float, float]]]]) -> None:
+    """Of each run its colour and (position on the axis, place, value). They stand on its bars: filled as these, edged black."""
+    for label, (colour, points) in marks.items():
+        if points:
+            words = ', '.join(f'{value:+.1f} % at {place:g} km' for _, place, value in points)
+            axes.plot([x for x, _, _ in points], [value for _, _, value in points], label=f'paper, {label} against '
+                      f'{base.label}: {words}', **dict(PAPER_STYLE, color='black', markerfacecolor=colour, markersize=9.5))
 
 
 def _paper_forces(model: str, base: str) -> List[Tuple[float, float]]:

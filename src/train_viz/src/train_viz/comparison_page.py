@@ -6,6 +6,7 @@ from train_viz import page
 from train_viz import paper_values as paper
 from train_viz.comparison import PREDICTED, Comparison, Row, Stages
 from train_viz.comparison_setup import identified_values, reproduction, setup
+from train_viz.comparison_verdict import verdict
 from train_viz.page import Badge, Section
 from train_viz.resolved_scenario import read_value
 from train_viz.run import RESIDUAL_WORDS
@@ -21,8 +22,8 @@ CAPTIONS = {
                               "paper states over the locomotive's weight.",
     'fig8_energy': 'Fig. 8. Energy by Eq. (4), final speed and time beside it; below, the difference in per cent and '
                    "the paper's percentages as diamonds.",
-    'fig9_force_difference': 'Fig. 9. The rate of Eq. (4) is the force, so these are differences of force. Diamonds: '
-                             'values that the paper states, or that follow from the forces that it states.',
+    'fig9_force_difference': 'Fig. 9. The rate of Eq. (4) is the force, so these are differences of force. Diamonds, '
+                             'filled as the bars they belong to: values that the paper states, or that follow from the forces that it states.',
 }
 
 
@@ -33,6 +34,7 @@ def comparison_page(c: Comparison, pictures: Dict[str, str]) -> str:
     missing = [model.upper() for model in ('1d', '2d', '3d') if not c.of_model(model)]
     if missing:
         lead.append(page.notice(_missing_words(c, missing)))
+    lead.append(page.bullets(verdict(c)))
     sections = [Section('Beside the paper', _beside_the_paper(c)),
                 Section('Figures', [page.picture(pictures[name], caption, caption) for name, caption in
                                     sorted(CAPTIONS.items()) if name in pictures]),
@@ -60,7 +62,7 @@ def _beside_the_paper(c: Comparison) -> List[str]:
                              'from 3D, which no parameter was tuned to. "Points" are percentage points.')]
     for (quantity, unit), rows in itertools.groupby(c.rows(), lambda row: (row.quantity, row.unit)):
         cells = [[row.place, row.whose, format(row.paper, PAPER_FORMATS[unit]), format(row.ours, FORMATS[unit]),
-                  *_deviation(row), Badge(row.kind, strong=row.kind == PREDICTED), row.why] for row in rows]
+                  *_deviation(row), Badge(row.kind, outlined=row.kind == PREDICTED), row.why] for row in rows]
         pieces.append(page.table([f'{quantity} [{UNITS[unit]}]', 'model', 'paper', 'here', 'deviation', 'relative', 'kind',
                                   'why'], cells, (0, 1, 6, 7), 'even'))
     pieces += [page.paragraph('The values that were identified, as these runs used them:'), identified_values(c)]
@@ -146,20 +148,23 @@ def _energy_by_stage(c: Comparison) -> List[str]:
             page.paragraph('Eq. (4) counts the force at the rail times the way. What the motors pay at the rim is '
                            'more: it also covers the slip loss and the energy that spins up the wheels. A 1D '
                            'locomotive has no wheels, so both are the same.'),
-            page.paragraph(_k0_words(c)),
+            *[page.paragraph(words) for words in _k0_words(c)],
             *([page.paragraph('A 3D locomotive makes its curving resistance itself, in its contacts: Eq. (6) is not '
                               'applied to it, as it is in 1D and 2D.')] if c.has_3d else []),
             page.notice('Less energy at one place is not a saving: the train with less energy is slower there, and '
                         'lacks kinetic energy. See the comparison at equal speed.')]
 
 
-def _k0_words(c: Comparison) -> str:
+def _k0_words(c: Comparison) -> List[str]:
+    """Nothing where no run has wheels that slip."""
+    if all(folder.model == '1d' for folder in c.folders):
+        return []
     values = sorted({str(value) for value in (
         read_value(folder.run.resolved, 'adhesion', 'reduction', 'k0') for folder in c.folders) if value is not None})
     given = f'k0 = {", ".join(values)}' if values else 'k0'
     if values == ['0.075']:
         given += " (Table 1; the initial creep stiffness is 13 times softer than Kalker's)"
-    return f'The slip loss depends on {given}: a stiffer contact carries the same force with less creep, and loses less.'
+    return [f'The slip loss depends on {given}: a stiffer contact carries the same force with less creep, and loses less.']
 
 
 def _equal_speed(c: Comparison, pictures: Dict[str, str]) -> List[str]:
@@ -175,7 +180,7 @@ def _equal_speed(c: Comparison, pictures: Dict[str, str]) -> List[str]:
                              'locomotive first reaches it. All trains then have the same kinetic energy but for what '
                              'couplers still move; they have come different ways, so resistances took different shares.'),
               page.table(['model', 'time [s]', 'place [km]', *STAGE_HEADER, *_against_header(c)], rows)]
-    pieces.append(page.paragraph(_k0_words(c)))
+    pieces += [page.paragraph(words) for words in _k0_words(c)]
     if 'equal_speed' in pictures:
         pieces.append(page.picture(pictures['equal_speed'], 'Energy of the leading locomotive over speed',
                                    'Energy over speed, and by stage at equal speed: rail + slip + storage.'))

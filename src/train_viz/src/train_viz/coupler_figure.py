@@ -6,6 +6,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from train_viz import plot_style
+from train_viz.coupler_peaks import read_coupler_peaks
 from train_viz.run import Run
 
 COLUMNS = 1600  # of the map, chosen: about one a pixel of the PNG
@@ -25,18 +27,27 @@ def draw_coupler_forces(run: Run) -> Optional[Figure]:
     bar.set_label('coupler force [kN]   buff < 0 < draft')
     axes.grid(False)
     axes.set_ylim(couplers + 0.5, 0.5)  # the head of the train on top
-    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 1000) if couplers <= 8 * s)
-    axes.set_yticks(sorted({1, couplers} | set(range(step, couplers - step // 4, step))))
+    axes.set_yticks(plot_style.whole_ticks(couplers))
     axes.set_ylabel('coupler, counted from the head')
     axes.set_xlabel('time since the start of the run [s]')
-    draft, buff = max(force_kN.max(), 0.0), abs(min(force_kN.min(), 0.0))
-    axes.set_title(f'In-train forces, {run.label}\nlargest recorded: draft {draft:.0f} kN, buff {buff:.0f} kN', pad=10)
+    axes.set_title(f'In-train forces, {run.label}\n{_largest_words(run)}', pad=10)
     _add_places(axes, run)
     return figure
 
 
+def _largest_words(run: Run) -> str:
+    """Of every step, if the run's folder has couplers.csv; a bag has only its samples, between which a shock may be higher."""
+    peaks = read_coupler_peaks(run)
+    if peaks is None:
+        draft, buff = max(run.coupler_force_N.max(), 0.0), max(-run.coupler_force_N.min(), 0.0)
+        return f'largest of the recorded samples: draft {draft / 1e3:.0f} kN, buff {buff / 1e3:.0f} kN'
+    return 'largest of every step: ' + ', '.join(
+        f'{words} {values.max() / 1e3:.0f} kN' + f' (coupler {int(values.argmax()) + 1})' * bool(values.any())
+        for words, values in (('draft', peaks.draft_N), ('buff', peaks.buff_N)))
+
+
 def bin_extremes(time_s: np.ndarray, values: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
-    """At most COLUMNS bins of rows with the value farthest from zero in each, so that no peak is lost.
+    """At most COLUMNS bins of rows with the value farthest from zero in each, so that no recorded peak is lost.
 
     @return edges of the bins, one more than bins, and [bin, column]
     """

@@ -27,10 +27,9 @@ def draw_energy_flow(run: Run) -> Figure:
     rail_in = sum(flow[2] for flow in sources) - sum(flow[2] for flow in losses) - spin
     rail_low = (total - rail_in) / 2.0
     sankey.node(axes, X_RAIL, rail_low, rail_in, RIM_COLOUR)
-    axes.text(X_RAIL - 0.02, rail_low + rail_in / 2.0, _rail_words(rail_in, final_MJ(run)['traction_rail']), ha='right',
-              va='center', fontsize=12, zorder=4)
     brakes_low = _draw_sinks(axes, (losses, sinks, braked), (rail_low + rail_in, spin), total)
-    _draw_sources(axes, sources, losses, (rail_low + rail_in, brakes_low), total)
+    low = _draw_sources(axes, sources, losses, (rail_low + rail_in, brakes_low), total)
+    _name_rail(axes, _rail_words(rail_in, final_MJ(run)['traction_rail']), (rail_low, low), total)
     axes.set_xlim(-0.38, 1.5)
     axes.axis('off')
     axes.set_title(f'Energy flow of the whole train, {run.label}', pad=14)
@@ -39,10 +38,22 @@ def draw_energy_flow(run: Run) -> Figure:
     return figure
 
 
-def _rail_words(all_MJ: float, traction_MJ: float) -> str:
-    """What passes the rail, and the traction's part where something else gives, too."""
-    words = f'at the rail\n{sankey.number(all_MJ)} MJ'
-    return words if abs(all_MJ - traction_MJ) < 1e-3 * all_MJ else f'{words},\nof it traction\n{sankey.number(traction_MJ)} MJ'
+def _rail_words(all_MJ: float, traction_MJ: float) -> List[str]:
+    """Lines: what passes the rail, and the traction's part where something else gives, too."""
+    words = ['at the rail', f'{sankey.number(all_MJ)} MJ']
+    if traction_MJ <= sankey.DRAWN_FROM * all_MJ or abs(all_MJ - traction_MJ) < 1e-3 * all_MJ:
+        return words
+    return words + ['of it traction', f'{sankey.number(traction_MJ)} MJ']
+
+
+def _name_rail(axes: Axes, words: List[str], lows: Tuple[float, float], total: float) -> None:
+    """Below the node, where no ribbon is: neither of the sources on the left nor of what leaves to the right.
+
+    @param lows lower edge of the rail, and of the lowest ribbon to the left of it
+    """
+    top = min(lows) - 0.5 * sankey.GAP * total
+    axes.text(X_RAIL + sankey.NODE_WIDTH, top, '\n'.join(words), ha='right', va='top', fontsize=12, zorder=4)
+    axes.set_ylim(bottom=min(axes.get_ylim()[0], top - sankey.LINE * len(words) * total))
 
 
 def flows_of(run: Run) -> Tuple[List[Flow], List[Flow], List[Flow], List[Flow]]:
@@ -75,23 +86,27 @@ def _closed(sources: List[Flow], losses: List[Flow], sinks: List[Flow], braked: 
     return sources, losses, rest + [(words, colour, sum(flow[2] for flow in braked))], braked
 
 
-def _draw_sources(axes: Axes, sources: List[Flow], losses: List[Flow], ends: Tuple[float, float], total: float) -> None:
+def _draw_sources(axes: Axes, sources: List[Flow], losses: List[Flow], ends: Tuple[float, float], total: float) -> float:
     """Top down; what the losses take leaves from the top of the first source.
 
     @param ends upper edge of the rail, lower edge of the brakes
+    @return lower edge of the lowest ribbon where the rail's name stands
     """
     lost = sum(flow[2] for flow in losses)
-    top, (rail_top, brakes_low) = total, ends
+    top, (rail_top, brakes_low), lowest = total, ends, total
     for i, (words, colour, energy) in enumerate(sources):
         sankey.node(axes, X_SOURCES, top - energy, energy, colour)
         sankey.label(axes, X_SOURCES - 0.03, top - energy / 2.0, words, energy, 'right')
         to_rail = energy - (lost if i == 0 else 0.0)
         if words == SPIN:
             sankey.band(axes, (X_SOURCES, top - energy), (X_BRAKES, brakes_low), energy, colour)
+            lowest = min(lowest, top - energy, brakes_low)
         else:
             sankey.band(axes, (X_SOURCES, top - energy), (X_RAIL, rail_top - to_rail), to_rail, colour)
             rail_top -= to_rail
+            lowest = min(lowest, 0.5 * (rail_top + top - energy))  # more than it has risen where the name begins
         top -= max(energy, sankey.SLOT * total) + sankey.GAP * total
+    return lowest
 
 
 def _draw_sinks(axes: Axes, flows: Tuple[List[Flow], List[Flow], List[Flow]], at_rail: Tuple[float, float],
@@ -109,7 +124,7 @@ def _draw_sinks(axes: Axes, flows: Tuple[List[Flow], List[Flow], List[Flow]], at
     for i, (flow, low) in enumerate(zip(ends, lows)):
         if i == len(ends) - len(braked):
             brakes, brakes_low = _draw_brakes(axes, sinks[-1], rail, low + flow[2], (at_rail[1], total))
-            bottom = min(bottom, brakes_low - 2.0 * sankey.SLOT * total * (sinks[-1][2] < FOUR_LINES * total))
+            bottom = min(bottom, brakes_low - 3.0 * sankey.LINE * total * (sinks[-1][2] < FOUR_LINES * total))
         outlet = motors if i < len(losses) else brakes or rail
         sankey.draw_sink(axes, flow, outlet.take(flow[2]), (X_SINKS, low))
     axes.set_ylim(min(bottom, 0.0), top + sankey.GAP * total)
@@ -132,6 +147,6 @@ def _draw_brakes(axes: Axes, flow: Flow, rail: Outlet, top: float, sizes: Tuple[
         axes.text(X_BRAKES - 0.02, top - taken / 2.0, f"locomotives'\nbrakes,\nat the rail\n{number}", ha='right',
                   va='center', fontsize=12, zorder=4)
     else:
-        axes.text(X_BRAKES + sankey.NODE_WIDTH, low - 0.01 * total, f"locomotives' brakes,\nat the rail {number}", ha='right',
+        axes.text(X_BRAKES + sankey.NODE_WIDTH, low - 0.01 * total, f"locomotives'\nbrakes, at the\nrail {number}", ha='right',
                   va='top', fontsize=12, zorder=4)
     return Outlet(X_BRAKES, top), low

@@ -16,10 +16,13 @@ p, ul { max-width: 52rem; margin: 0.6rem 0; }
 nav { font-size: 0.92rem; margin: 0.8rem 0; }
 nav a { margin-right: 1.2rem; white-space: nowrap; }
 a { color: #0072B2; }
-.scroll { overflow-x: auto; }
+.scroll { overflow-x: auto; background: linear-gradient(to right, #fff 30%, transparent) 0 / 3rem 100% local no-repeat,
+          linear-gradient(to left, #fff 30%, transparent) 100% / 3rem 100% local no-repeat,
+          linear-gradient(to right, #0004, transparent) 0 / 0.8rem 100% scroll no-repeat,
+          linear-gradient(to left, #0004, transparent) 100% / 0.8rem 100% scroll no-repeat; }
 table { border-collapse: collapse; font-size: 0.92rem; margin: 0.8rem 0; }
 th, td { padding: 0.28rem 0.7rem; border-bottom: 1px solid #ddd; text-align: right; vertical-align: top; }
-th { background: #f2f5f7; vertical-align: bottom; }
+th { border-top: 2px solid #0072B2; vertical-align: bottom; }
 th.text, td.text { text-align: left; }
 td { font-variant-numeric: tabular-nums; white-space: nowrap; }
 td.text { white-space: normal; }
@@ -34,8 +37,9 @@ table.even th:nth-child(5) { width: 12.5%; }
 table.even th:nth-child(6) { width: 12%; }
 table.even th:nth-child(7) { width: 10.5%; }
 table.even th:nth-child(8) { width: 18%; }
-.badge { display: inline-block; border-radius: 0.7em; padding: 0 0.6em; white-space: nowrap; background: #e4e4e4; }
-.badge.strong { background: #d3ecdf; }
+.badge { display: inline-block; border-radius: 0.7em; padding: 0 0.6em; white-space: nowrap; background: #e4e4e4;
+         border: 1px solid #e4e4e4; }
+.badge.outlined { background: #fff; border-color: #777; }
 .notice { border-left: 5px solid #E69F00; background: #fdf6e3; padding: 0.6rem 1rem; max-width: 52rem; margin: 0.8rem 0; }
 figure { margin: 1.2rem 0 2rem; }
 figure img { max-width: 100%; height: auto; }
@@ -44,6 +48,15 @@ pre { background: #f5f5f5; padding: 0.7rem; overflow-x: auto; font-size: 0.85rem
 details { margin: 0.4rem 0; }
 summary { cursor: pointer; color: #0072B2; }
 footer { margin-top: 3rem; font-size: 0.85rem; color: #555; border-top: 1px solid #ddd; padding-top: 0.6rem; }
+@media (max-width: 64rem) {
+  body { padding: 1rem; }
+  table { font-size: 0.82rem; }
+  th, td { padding: 0.25rem 0.4rem; }
+  table.even { table-layout: auto; min-width: 0; }
+  table.even td { white-space: normal; }
+  table.even td:nth-child(1) { white-space: normal; }
+  table.even th:nth-child(n) { width: auto; }
+}
 @media print { body { max-width: none; } details { display: none; } }
 '''
 
@@ -57,7 +70,7 @@ class Section:
 
 def make_page(title: str, lead: Sequence[str], sections: List[Section], footer: str) -> str:
     """@param lead HTML between title and contents"""
-    links = ''.join(f'<a href="#s{i}">{html.escape(section.title)}</a>' for i, section in enumerate(sections, start=1))
+    links = ' '.join(f'<a href="#s{i}">{html.escape(section.title)}</a>' for i, section in enumerate(sections, start=1))
     bodies = '\n'.join(f'<section id="s{i}">\n<h2>{html.escape(section.title)}</h2>\n' + '\n'.join(section.pieces) +
                        '\n</section>' for i, section in enumerate(sections, start=1))
     return (f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -90,9 +103,9 @@ def folded(title: str, text: str) -> str:
 
 @dataclasses.dataclass(frozen=True)
 class Badge:
-    """A table cell that stands out, `strong` or not."""
+    """A table cell that names a kind, filled or `outlined`; neither is better."""
     text: str
-    strong: bool = False
+    outlined: bool = False
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence], text_columns: Sequence[int] = (0,), style: str = '') -> str:
@@ -114,7 +127,7 @@ def table(header: Sequence[str], rows: Sequence[Sequence], text_columns: Sequenc
 
 def _cell(cell) -> str:
     if isinstance(cell, Badge):
-        return f'<span class="badge{" strong" if cell.strong else ""}">{html.escape(cell.text)}</span>'
+        return f'<span class="badge{" outlined" if cell.outlined else ""}">{html.escape(cell.text)}</span>'
     return html.escape(cell)
 
 

@@ -20,6 +20,12 @@ SLIP_LIMIT = 0.07        # Sect. 3.2
 STATIC_FRICTION = 0.35   # Table 1
 LEADING_MASS_KG = 134e3  # Table 2
 
+# The case: vehicles from the head as number and mass of each [kg] (Table 2), curves as from, to [km], radius [m], and where the
+# leading locomotive starts (Sect. 5)
+TRAIN = [(3, LEADING_MASS_KG), (105, 120e3)]
+CURVES = [(3.3, 3.6, 300.0)]
+START_KM = 3.0
+
 REPORT_PLACES_KM = sorted(set(FORCE_KN) | set(ENERGY_AGAINST_3D) | set(FIG9_PLACES_KM))
 
 

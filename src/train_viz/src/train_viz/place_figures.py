@@ -19,13 +19,13 @@ SAME_PLACE_M = 1.0  # chosen: the end of a run this near to a mark needs no othe
 def draw_traction_force(runs: List[Run]) -> Figure:
     """Traction at the rail of the leading locomotive; as Fig. 6."""
     figure, axes = plt.subplots(figsize=(9.0, 5.6))
-    plot_style.shade_curves(axes, runs)
+    names_pt = plot_style.shade_curves(axes, runs)
     for i, run in enumerate(runs):
         axes.plot(run.location_km, run.shown_traction_N / 1e3, label=run.label, **plot_style.line_style(i))
     _mark_adhesion_limits(axes, runs)
     plot_style.start_at_zero(axes)
     brakes = min(run.shown_traction_N.min() for run in runs) < -1e3  # chosen: less is a rolling locomotive's own resistance
-    axes.set_title(f'Traction {"and braking " * brakes}force of {runs[0].whose}', pad=22)
+    axes.set_title(f'Traction {"and braking " * brakes}force of {runs[0].whose}', pad=plot_style.title_pad(names_pt))
     axes.set_ylabel('force at the rail [kN]; braking < 0' if brakes else 'traction at the rail [kN]')
     plot_style.set_place_axis(axes, runs)
     plot_style.legend_below(figure, axes)
@@ -54,14 +54,14 @@ def draw_energy(runs: List[Run]) -> Optional[Figure]:
     figure, panels = plt.subplots(1, 2 if over_speed else 1, figsize=(12.5 if over_speed else 9.0, 6.4),
                                   squeeze=False, sharey=True)
     place, last = panels[0, 0], panels[0, -1]
-    plot_style.shade_curves(place, runs)
+    pad = plot_style.title_pad(plot_style.shade_curves(place, runs))
     for i, run in enumerate(runs):
         _draw_energy_of(run, panels[0], plot_style.line_style(i), plot_style.curve_ends_m(runs)[:MARKED_CURVES])
     place.set_ylabel('energy [MJ]')
-    place.set_title('over place', pad=22)
+    place.set_title('over place', pad=pad)
     plot_style.set_place_axis(place, runs)
     if over_speed:
-        last.set_title('over speed', pad=22)
+        last.set_title('over speed', pad=pad)
         last.set_xlabel('speed [km/h]')
     plot_style.start_at_zero(place)
     kwh = last.secondary_yaxis('right', functions=(lambda mj: mj * KWH_PER_MJ, lambda kwh: kwh / KWH_PER_MJ))
@@ -111,8 +111,9 @@ def draw_speed_notch(runs: List[Run]) -> Figure:
     figure, panels = plt.subplots(1 + both, 1, figsize=(9.0, 7.0 if both else 4.8), sharex=True, squeeze=False,
                                   gridspec_kw={'height_ratios': (3, 2)[:1 + both]})
     speed = panels[0, 0]
-    for i, axes in enumerate(panels[:, 0]):
-        plot_style.shade_curves(axes, runs, labels=i == 0)
+    pad = plot_style.title_pad(plot_style.shade_curves(speed, runs))
+    if both:
+        plot_style.shade_curves(panels[1, 0], runs, labels=False)
     for i, run in enumerate(runs):
         speed.plot(run.location_km, run.speed_kmph, label=run.label, **plot_style.line_style(i))
     plot_style.start_at_zero(speed)
@@ -120,9 +121,9 @@ def draw_speed_notch(runs: List[Run]) -> Figure:
     if both:
         _draw_notches(panels[1, 0], runs, notches)
         speed.set_title('Speed and notch of the leading locomotive' if runs[0].locomotive == 1 else
-                        f'Speed of the train and notch of {runs[0].whose}', pad=22)
+                        f'Speed of the train and notch of {runs[0].whose}', pad=pad)
     else:
-        speed.set_title('Speed of the leading locomotive; its notch is 0 all the time', pad=22)
+        speed.set_title('Speed of the leading locomotive; its notch is 0 all the time', pad=pad)
     plot_style.set_place_axis(panels[-1, 0], runs)
     plot_style.legend_below(figure, speed)
     return figure

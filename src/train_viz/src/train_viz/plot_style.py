@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 
-from train_viz.resolved_scenario import read_curves, read_rail_sections  # noqa: E402
+from train_viz.resolved_scenario import read_axle_reach, read_curves, read_rail_sections  # noqa: E402
 from train_viz.run import Run  # noqa: E402
 
 # Okabe and Ito (2008): distinguishable with every common colour blindness. Yellow is left out, too pale for a line.
@@ -73,13 +73,13 @@ def legend_below(figure: Figure, panels: Union[Axes, Iterable[Axes]], note: str 
                   markerscale=marker_scale)
 
 
-def legend_above(axes: Axes, columns: int, over_names: bool) -> None:
+def legend_above(axes: Axes, columns: int, names_pt: float) -> None:
     """The legend of one of several panels, between it and what is above, where it cannot hide a curve.
 
-    @param over_names leaves room for the names of track curves
+    @param names_pt height of the names of track curves, as `shade_curves` says
     """
     axes.legend(loc='lower left', bbox_to_anchor=(0.0, 1.0), ncol=columns, fontsize=10,
-                borderaxespad=1.7 if over_names else 0.3)  # in font sizes
+                borderaxespad=0.3 + names_pt / 10.0)  # in font sizes
 
 
 def sides_near(limit: float, low: float, high: float) -> List[float]:
@@ -98,6 +98,12 @@ def mark_limit(axes: Axes, line: Callable, limit: float, sides: List[float], wor
         line(side * limit, label=words.format(sign=sign) if i == 0 else None, color='black', linestyle='--', linewidth=1.2)
     if not sides:
         axes.plot([], [], linestyle='none', label=words.format(sign='') + ', beyond the axis')
+
+
+def whole_ticks(count: int) -> List[int]:
+    """Of an axis that counts couplers or vehicles from 1: the first, the last, round numbers between."""
+    step = next(s for s in (1, 2, 5, 10, 20, 50, 100, 1000) if count <= 8 * s)
+    return sorted({1, count} | set(range(step, count - step // 4, step)))
 
 
 def align_zeros(left: Axes, right: Axes) -> None:
@@ -125,33 +131,58 @@ def place_range_km(runs: List[Run]) -> Tuple[float, float]:
 def set_place_axis(axes: Axes, runs: List[Run]) -> None:
     axes.set_xlim(*place_range_km(runs))
     axes.xaxis.set_major_locator(plt.MaxNLocator(nbins=7, steps=(1, 2, 3, 5, 10)))
-    axes.set_xlabel('place of the leading locomotive [km]')
+    axes.set_xlabel('place of the leading locomotive [km]' + axles_note(runs, place_range_km(runs)))
 
 
-def shade_curves(axes: Axes, runs: List[Run], labels: bool = True, range_km: Optional[Tuple[float, float]] = None) -> bool:
-    """Shades the curves of all runs' tracks, transitions paler; labels above the frame as far as there is room. And, hatched
-    with the name at the bottom, stretches of other rail.
+def axles_note(runs: List[Run], range_km: Tuple[float, float]) -> str:
+    """Why wheels feel other rail before and after the place of their locomotive; empty if no run has both."""
+    reaches = [read_axle_reach(run.resolved, run.adhesion.locomotive) for run in runs if run.adhesion is not None and any(
+        start < 1e3 * range_km[1] and end > 1e3 * range_km[0] for start, end, _ in read_rail_sections(run.resolved))]
+    if not reaches:
+        return ''
+    far = f'up to {max(reaches):.1f} m earlier or later' if all(reaches) else 'the front ones earlier, the rear ones later'
+    return f"\n(of its middle; its axles meet the hatched rail at their own places, {far})"
+
+
+def shade_curves(axes: Axes, runs: List[Run], labels: bool = True,
+                 range_km: Optional[Tuple[float, float]] = None) -> float:
+    """Shades the curves of all runs' tracks, transitions paler; their names above the frame, upright where they would touch. And,
+    hatched with the name at the bottom, stretches of other rail.
 
     @param range_km of the place axis; none: that of the leading locomotives
-    @return whether there are names above the frame
+    @return height of the names above the frame [points], 0 if there are none
     """
     first, last = range_km or place_range_km(runs)
     _shade_sections(axes, runs, labels, (first, last))
-    curves = sorted({curve for run in runs for curve in read_curves(run.resolved)}, key=lambda c: c.start_m)
-    free_from = first
-    for curve in curves:
+    names = []
+    for curve in sorted({curve for run in runs for curve in read_curves(run.resolved)}, key=lambda c: c.start_m):
         start, end = max(curve.start_m / 1000.0, first), min(curve.end_m / 1000.0, last)
         if start >= end:
             continue
         axes.axvspan(start, end, color=CURVE_COLOUR, alpha=0.14, linewidth=0, zorder=0)
         axes.axvspan(max(curve.full_from_m / 1000.0, first), min(curve.full_to_m / 1000.0, last),
                      color=CURVE_COLOUR, alpha=0.22, linewidth=0, zorder=0)
-        middle, width = (start + end) / 2.0, 0.06 * (last - first)  # 0.06: 'R1200' at this font size
-        if labels and middle >= free_from:
-            axes.annotate(curve.label, (middle, 1.0), xycoords=('data', 'axes fraction'), xytext=(0, 3),
-                          textcoords='offset points', ha='center', va='bottom', color='0.35', fontsize=11)
-            free_from = middle + width
-    return free_from > first
+        names.append(((start + end) / 2.0, curve.label))
+    return _name_curves(axes, names, last - first) if labels and names else 0.0
+
+
+def _name_curves(axes: Axes, names: List[Tuple[float, str]], span_km: float) -> float:
+    """@param names place [km] and name, rising
+    @return height [points]"""
+    places = [place for place, _ in names]
+    upright = min(np.diff(places), default=span_km) < 0.06 * span_km  # 0.06: 'R1200' at this font size
+    free_from = places[0]
+    for place, name in names:
+        if place >= free_from:
+            axes.annotate(name, (place, 1.0), xycoords=('data', 'axes fraction'), xytext=(0, 3), textcoords='offset points',
+                          ha='center', va='bottom', color='0.35', fontsize=10 if upright else 11, rotation=90 if upright else 0)
+            free_from = place + (0.02 if upright else 0.06) * span_km  # 0.02: a line of this font size
+    return 3.0 + 6.5 * max(len(name) for _, name in names) if upright else 15.0
+
+
+def title_pad(names_pt: float) -> float:
+    """Of a title over the names of curves, as high as `shade_curves` says."""
+    return 7.0 + max(names_pt, 15.0)
 
 
 def _shade_sections(axes: Axes, runs: List[Run], labels: bool, range_km: Tuple[float, float]) -> None:

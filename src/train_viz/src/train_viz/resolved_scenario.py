@@ -85,6 +85,24 @@ def read_locomotive_value(resolved: str, locomotive: int, *path: Any) -> Any:
         return None
 
 
+def read_axle_reach(resolved: str, locomotive: int) -> Optional[float]:
+    """How far a locomotive's outermost axles are from its middle [m], or None without bodies that we understand."""
+    bodies = read_locomotive_value(resolved, locomotive, 'bodies')
+    try:
+        return float(_lookup(bodies, 'bogie_frames', 'x_m')) + max(map(float, _lookup(bodies, 'wheelsets', 'x_m')))
+    except (TypeError, ValueError):
+        return None
+
+
+def read_vehicles(resolved: str) -> List[Tuple[int, Any]]:
+    """Count and vehicle of each group from the head; none if the text has no train that we understand."""
+    try:
+        found = list(_vehicles(_lookup(_load(resolved), 'train', 'groups')))
+    except (TypeError, ValueError):
+        return []
+    return found if all(isinstance(vehicle, dict) for _, vehicle in found) else []
+
+
 def _locomotive(groups: List[dict], number: int) -> Any:
     """The vehicle of the number-th locomotive; only locomotives have an adhesion limit."""
     for count, vehicle in _vehicles(groups):

@@ -6,6 +6,7 @@ from typing import Dict, List, Optional, Tuple
 import numpy as np
 
 from train_viz.adhesion import Adhesion, join_adhesion
+from train_viz.run_labels import labels_of
 
 
 # residual_relative of the account (docs/files.md), in tables
@@ -151,8 +152,8 @@ def join_parts(parts: List[Run], names: Optional[List[str]] = None) -> List[Run]
         groups.setdefault((part.run_id, part.build_id, part.resolved), []).append(part)
     runs = [_join(group) for group in groups.values()]
     if not names:
-        return _label(runs)
-    if len(names) != len(runs) or len(set(names)) != len(names) or not all(names):
+        names = labels_of([(run.scenario, run.resolved, run.files[0]) for run in runs])
+    elif len(names) != len(runs) or len(set(names)) != len(names) or not all(names):
         raise ReportError(f'{len(names)} --label for {len(runs)} run(s): give each run one, no two the same')
     return [dataclasses.replace(run, label=name) for run, name in zip(runs, names)]
 
@@ -177,24 +178,3 @@ def _join(parts: List[Run]) -> Run:
     wheels = [p.adhesion for p in parts if p.adhesion is not None]
     return dataclasses.replace(parts[0], files=sum((p.files for p in parts), ()), recorded=sum(p.recorded for p in parts),
                                adhesion=join_adhesion(wheels) if wheels else None, **arrays, **tables)
-
-
-def _label(runs: List[Run]) -> List[Run]:
-    """The scenario's name is the label; where several share it the bag's or the folder's name, if need be a number is added."""
-    labels = [run.scenario or 'unnamed' for run in runs]
-    groups = {label: [run for run, other in zip(runs, labels) if other == label] for label in labels}
-    apart = {label: iter(_apart(group)) for label, group in groups.items()}
-    labels = [f'{label} ({next(apart[label])})' if len(groups[label]) > 1 else label for label in labels]
-    return [dataclasses.replace(run, label=label) for run, label in zip(runs, labels)]
-
-
-def _apart(runs: List[Run]) -> List[str]:
-    """What tells the runs of one scenario apart: the bags' names, or the folders', or both, or a number."""
-    paths = [os.path.abspath(run.files[0]) for run in runs]
-    stems = [os.path.basename(path).rsplit('.bag', 1)[0] for path in paths]
-    folders = [os.path.basename(os.path.dirname(path)) for path in paths]
-    both = [f'{folder}/{stem}' for folder, stem in zip(folders, stems)]
-    for names in (stems, folders, both):
-        if len(set(names)) == len(names):
-            return names
-    return [f'{name} #{i}' for i, name in enumerate(both, start=1)]

@@ -6,6 +6,7 @@ from train_viz.energy_stages import rim_words
 from train_viz.page import Section
 from train_viz.resolved_scenario import read_value
 from train_viz.run import RESIDUAL_WORDS, Run
+from train_viz.run_labels import file_name
 
 TITLES = {  # by the beginning of a figure's name, in the order of the page
     'energy_flow': 'where the energy of the whole train goes, from the motors to the sinks',
@@ -34,6 +35,22 @@ SECTIONS = (
     ('Wheel and rail', ('friction_adhesion', 'adhesion_creep', 'adhesion_control', 'axle_loads',
                         'wheelset_displacement', 'guiding_forces', 'wheel_contacts')),
 )
+WHEELS, EVERY_WHEEL = 'no wheels on the rail in the bag: 2D and 3D have them', 'nothing of every wheel in the bag: 3D has it'
+WHY = {  # a figure is left out, by the beginning of its name; those that compare runs first
+    'energy': 'no motor gives any energy',
+    'friction_adhesion': WHEELS,
+    'energy_supply': 'no locomotive with a supply that gave or took any energy',
+    'coupler_forces': 'no couplers',
+    'brake_pressures': 'no air brake',
+    'brake_energy': 'no brake took any energy, no supply',
+    'adhesion_creep': WHEELS,
+    'adhesion_control': WHEELS,
+    'axle_loads': WHEELS,
+    'wheelset_displacement': EVERY_WHEEL,
+    'guiding_forces': EVERY_WHEEL,
+    'wheel_contacts': EVERY_WHEEL,
+}
+COMPARING = ('energy', 'friction_adhesion')
 
 
 def run_page(runs: List[Run], pictures: Dict[str, str]) -> str:
@@ -55,8 +72,22 @@ def run_page(runs: List[Run], pictures: Dict[str, str]) -> str:
                   for kind in kinds for name in pictures if kind_of(name) == kind]
         if pieces:
             sections.append(Section(heading, pieces))
+    absent = left_out(runs, pictures)
+    if absent:
+        sections.append(Section('Left out', [page.paragraph('Figures that would have nothing to show:'), page.bullets(absent)]))
     sections.append(Section('Configuration and build', _configuration(runs)))
     return page.make_page(title, lead, sections, 'Made by train_viz report.')
+
+
+def left_out(runs: List[Run], pictures: Dict[str, str]) -> List[str]:
+    """Which figures these runs do not give, and why: a sentence a reason."""
+    found: Dict[str, Dict[str, List[str]]] = {}  # by reason and run
+    for kind, why in WHY.items():
+        for label, name in [('', kind)] if kind in COMPARING else [(run.label, f'{kind}_{file_name(run.label)}') for run in runs]:
+            if name not in pictures:
+                found.setdefault(why, {}).setdefault(label if len(runs) > 1 else '', []).append(kind)
+    return [f'{", ".join(kinds)}{f" of {label}" if label else ""}: {why}' for why, those in found.items()
+            for label, kinds in those.items()]
 
 
 def kind_of(name: str) -> str:

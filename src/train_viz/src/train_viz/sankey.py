@@ -10,6 +10,7 @@ Flow = Tuple[str, str, float]  # words, colour, energy [MJ] > 0
 
 NODE_WIDTH = 0.025
 SLOT = 0.07         # of the whole height: the least room for a line of text, chosen
+LINE = 0.045        # of the whole height: a line of several of text, chosen
 GAP = 0.02          # of the whole height, chosen
 DRAWN_FROM = 3e-5   # of the largest flow, chosen: a fiftieth of a pixel; the account has its number
 

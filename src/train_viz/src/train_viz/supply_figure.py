@@ -60,10 +60,8 @@ def supply_flows(supply: Dict[str, float]) -> Tuple[List[Flow], List[Flow], List
 
 def _draw(axes: Axes, supply: Dict[str, float], flows: Tuple[List[Flow], List[Flow], List[Flow]], total: float) -> None:
     losses, sources, sinks = flows
-    lost = sum(flow[2] for flow in losses)
-    lows, bottom, top = sankey.place_sinks(losses + sinks, total)
-    link_in = total - lost
-    link_top = lows[len(losses)] + sinks[0][2] if sinks else link_in
+    link_in = total - sum(flow[2] for flow in losses)
+    lows, link_top, (bottom, top) = _place(supply, flows, total)
     sankey.node(axes, X_LINK, link_top - link_in, link_in, LINK_COLOUR)
     axes.text(X_LINK, link_top - link_in - 0.5 * sankey.GAP * total, f'link\n{sankey.number(link_in)} MJ', ha='center', va='top',
               fontsize=12)
@@ -82,6 +80,22 @@ def _draw(axes: Axes, supply: Dict[str, float], flows: Tuple[List[Flow], List[Fl
     for flow, low in zip(sinks, lows[len(losses):]):
         sankey.draw_sink(axes, flow, outlet.take(flow[2]), (X_SINKS, low))
     axes.set_ylim(min(bottom, y, link_top - link_in - 4.0 * sankey.GAP * total), top + sankey.GAP * total)
+
+
+def _place(supply: Dict[str, float], flows: Tuple[List[Flow], List[Flow], List[Flow]],
+           total: float) -> Tuple[List[float], float, Tuple[float, float]]:
+    """Where the sinks stand, the losses first, and the link's upper edge; bottom and top of the sinks.
+
+    With a shaft the link's upper edge is below the shaft's, so that the generator's loss passes over the link, and what comes
+    from other sources below the shaft.
+    """
+    losses, sources, sinks = flows
+    lows, bottom, top = sankey.place_sinks(losses + sinks, total)
+    link_top = lows[len(losses)] + sinks[0][2] if sinks else total
+    if sources[0][0] != 'fuel':
+        return lows, link_top, (bottom, top)
+    lower = min(total - supply['engine_loss'] - supply['generator_loss'] - sankey.GAP * total - link_top, 0.0)
+    return lows[:len(losses)] + [low + lower for low in lows[len(losses):]], link_top + lower, (bottom + lower, top)
 
 
 def _draw_shaft(axes: Axes, supply: Dict[str, float], ends: Tuple[Outlet, Outlet], losses: List[Tuple[Flow, float]],

@@ -32,10 +32,10 @@ def draw_trip(run: Run) -> Figure:
     figure, axes = plt.subplots(len(panels), 1, figsize=(10.0, 1.6 + 1.15 * sum(heights)), sharex=True, squeeze=False,
                                 gridspec_kw={'height_ratios': heights})
     for i, (panel, (_, draw)) in enumerate(zip(axes[:, 0], panels)):
-        names_above = plot_style.shade_curves(panel, [run], labels=i == 0)
+        names_pt = plot_style.shade_curves(panel, [run], labels=i == 0)
         draw(panel, run)
         if panel.get_legend_handles_labels()[0]:
-            plot_style.legend_above(panel, 4, names_above)
+            plot_style.legend_above(panel, 4, names_pt)
     plot_style.set_place_axis(axes[-1, 0], [run])
     understood = height_profile(run.resolved, 0.0, 1.0) is not None
     figure.suptitle(f'Trip, {run.label}' + ': the line is level and straight' * (understood and not profiles))
