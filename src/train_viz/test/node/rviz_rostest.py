@@ -140,8 +140,8 @@ class RvizTest(unittest.TestCase):
         lines = dict(line.rsplit(': ', 1) for line in looker.communicate(timeout=DEADLINE_S)[0].splitlines())
         self.assertGreater(int(lines['looks']), 50)
         found = {name: float(value.split()[0]) for name, value in lines.items() if name != 'looks'}
-        # At 25 km/h frames are 0.7 m apart, at -r 4 pictures 1.4 m. Bodies of the 3D locomotive stand this far beside the
-        # places where they are drawn (75 mm in the curve, docs/watch.md); the wagon is off by the curve's bend in 1.4 m.
+        # At 25 km/h frames are 0.7 m apart, at -r 4 pictures 1.4 m: that far things come apart that lag each other. A 3D
+        # body stands up to 75 mm beside its place in the curve (docs/watch.md), the couplers stretch by 0.1 m.
         for name, most_m in (('wheel from wheelset', 0.03), ('box from car body', 0.1), ('camera from car body', 0.1),
                              ('gap of locomotive 3 and wagon', 0.25)):
             self.assertLess(found[name], most_m, name)

@@ -10,6 +10,7 @@ import time
 
 import numpy
 import rospy
+from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -28,10 +29,19 @@ class Picture:
 
     def __init__(self, locomotive=1):
         self.base, self.frames, self.packed = f'loco_{locomotive}/', {}, None
-        self.lock = threading.Lock()
+        self.lock, self.now = threading.Lock(), rospy.Time()
         for topic in ('/tf', '/tf_static'):
             rospy.Subscriber(topic, TFMessage, self.take_frames, tcp_nodelay=True)
+        rospy.Subscriber('/clock', Clock, self.take_clock, tcp_nodelay=True)
         rospy.Subscriber('/train_markers/train', rospy.AnyMsg, self.take_markers, tcp_nodelay=True)
+
+    def take_clock(self, msg):
+        """Forgets what was there, as rviz does, when time goes back: another run, or the bag again."""
+        with self.lock:
+            if msg.clock < self.now:
+                self.frames = {frame: step for frame, step in self.frames.items() if frame == 'chosen_locomotive'}
+                self.packed = None
+            self.now = msg.clock
 
     def take_frames(self, msg):
         with self.lock:
@@ -64,7 +74,7 @@ class Picture:
         """Of the first locomotive's axles from their wheelsets' frames, of its box and of the camera from its car body's
         frame; and by how much the first wagon is nearer or farther than half the lengths of both, all in plan [m]."""
         frames, packed = self.look()
-        if packed is None or self.base + 'wheelset_1' not in frames or 'chosen_locomotive' not in frames:
+        if packed is None or not {self.base + 'wheelset_1', 'chosen_locomotive', 'train'} <= set(frames):
             return None
         buffer, at_arrival = packed
         markers = MarkerArray().deserialize(buffer).markers
