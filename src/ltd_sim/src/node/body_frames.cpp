@@ -34,6 +34,10 @@ Eigen::Isometry3d bodyFrame(const loco::BodyPose& pose) {
   return X_TB;
 }
 
+Eigen::Isometry3d unturned(const Eigen::Isometry3d& X) {
+  return Eigen::Isometry3d(Eigen::Translation3d(X.translation()));
+}
+
 geometry_msgs::TransformStamped toMsg(ros::Time stamp, const std::string& parent, const std::string& child,
                                       const Eigen::Isometry3d& X) {
   geometry_msgs::TransformStamped msg;
@@ -84,6 +88,7 @@ void BodyFrames::add(std::size_t i, rail::Nanoseconds t, double location_m, cons
   const ros::Time stamp = toStamp(t);
   const std::string name = "loco_" + std::to_string(i + 1) + "/";
   const Eigen::Isometry3d X_WL = trackFrame(track_, location_m);
+  if (i == 0) msg_.transforms.push_back(toMsg(stamp, "map", "train", unturned(X_WL)));
   msg_.transforms.push_back(toMsg(stamp, "map", name + "base_link", X_WL));
   for (const loco::BodyPose& pose : locomotives_[i]->computePoses(state)) {
     const Eigen::Isometry3d X_WB = trackFrame(track_, pose.location_m) * bodyFrame(pose);

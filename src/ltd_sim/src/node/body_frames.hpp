@@ -13,6 +13,7 @@ namespace ltd {
 
 /// Frames of all locomotives for tf, from the states of committed steps (REP-103, REP-105):
 ///   map                 the world: origin at the track's start on the rail tops, x along the track there, z up
+///   train               the leading locomotive's CoG on the track's centre line, in the map's axes
 ///   loco_i/base_link    the track frame at the locomotive's CoG
 ///   loco_i/car_body, loco_i/bogie_frame_1, loco_i/wheelset_1 ...   bodies at their CoGs, children of base_link
 class BodyFrames {

@@ -106,8 +106,10 @@ class GraphTest(unittest.TestCase):
     def check_frames(self, message, location):
         """All bodies of three locomotives, where they belong on the paper's line, which begins at chainage 0."""
         frames = {transform.child_frame_id: transform for transform in message.transforms}
-        self.assertEqual(len(frames), 3 * 10)
-        base = frames["loco_1/base_link"]
+        self.assertEqual(len(frames), 3 * 10 + 1)
+        base, train = frames["loco_1/base_link"], frames["train"]
+        self.assertEqual((train.header, train.transform.translation), (base.header, base.transform.translation))
+        self.assertEqual(train.transform.rotation.w, 1.0)
         self.assertEqual(base.header.frame_id, "map")
         steps = [3300 + (i + 0.5) * (location - 3300) / 10000 for i in range(10000)]
         headings = [min(s - 3300, 50) ** 2 / (2 * 50 * 300) + max(s - 3350, 0) / 300 for s in steps]

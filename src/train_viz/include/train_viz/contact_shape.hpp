@@ -22,6 +22,7 @@ struct Contact {
 };
 
 struct ContactShape {
+  Carrier carrier;                   ///< the locomotive's
   std::vector<Arrow> normal_forces;  ///< on the wheel, along the rail's normal
   std::vector<Arrow> creep_forces;   ///< on the wheel, in the contact plane, in the colour of adhesion used
   std::vector<Cylinder> patches;     ///< contact ellipses, enlarged and flat
@@ -31,8 +32,9 @@ inline constexpr double kArrow_m_per_N = 1.0e-5;  ///< chosen: 1 m for 100 kN, s
 inline constexpr double kPatchThickness_m = 0.01;
 inline constexpr double kPatchScale = 10.0;  ///< chosen: contacts of 10 mm are seen beside wheels of 1 m
 
-/// @param location_m  chainage of the locomotive's CoG
-ContactShape computeContactShape(const rail::WorldTrack& world, double location_m,
+/// @param number      of the locomotive, from 1
+/// @param location_m  chainage of its CoG
+ContactShape computeContactShape(const rail::WorldTrack& world, int number, double location_m,
                                  const std::vector<Contact>& contacts);
 
 }  // namespace viz

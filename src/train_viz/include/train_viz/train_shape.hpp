@@ -9,8 +9,10 @@ namespace viz {
 
 /// The train as it is drawn at one instant.
 struct TrainShape {
+  std::vector<Carrier> carriers{1};     ///< `train`, then those of the locomotives
+  std::size_t chosen = 0;               ///< carrier of the chosen locomotive; 0 if the train has no such locomotive
   std::vector<Box> bodies;              ///< per vehicle
-  Triangles roofs;                      ///< of the bodies
+  std::vector<Triangles> roofs;         ///< of the bodies, per carrier
   std::vector<Box> bogies;              ///< two per vehicle, from the head; not of the chosen locomotive
   std::vector<Box> couplers;            ///< per coupler: from body to body, in the colour of its force
   std::vector<Box> chosen_bogies;       ///< of the chosen locomotive, to be looked through
@@ -20,7 +22,7 @@ struct TrainShape {
 
 /// Puts every vehicle on the line: its bogies over their places, with the heading of the tangent there, and its body on
 /// the chord from bogie to bogie. Bodies are true in length (over couplers less kBodyGap_m), width and height are
-/// chosen.
+/// chosen. A locomotive's body and bogies are carried by its own frame, all else by `train`.
 /// @param chosen             locomotive whose bogies are shown in detail, from 1
 /// @param vehicle_location_m chainages of the CoGs, as many as the outline has vehicles
 /// @param coupler_force_N    + draft, - buff; one less

@@ -44,11 +44,18 @@ std_msgs::ColorRGBA toMsg(const Colour& colour) {
   return msg;
 }
 
-Marker makeMarker(const std::string& name, int id, int type) {
+const Carrier& theMap() {
+  static const Carrier map{"map", Eigen::Isometry3d::Identity()};
+  return map;
+}
+
+/// Of a carrier that moves: rviz moves the marker with it, whenever the marker was sent.
+Marker makeMarker(const Carrier& carrier, const std::string& name, std::size_t id, int type) {
   Marker marker;
-  marker.header.frame_id = "map";
+  marker.header.frame_id = carrier.frame;
+  marker.frame_locked = carrier.frame != theMap().frame;
   marker.ns = name;
-  marker.id = id;
+  marker.id = static_cast<int>(id);
   marker.type = type;
   marker.action = Marker::ADD;
   marker.pose.orientation.w = 1.0;
@@ -57,19 +64,26 @@ Marker makeMarker(const std::string& name, int id, int type) {
   return marker;
 }
 
-Marker makeTriangles(const std::string& name, const Triangles& triangles) {
-  Marker marker = makeMarker(name, 0, Marker::TRIANGLE_LIST);
-  for (const Eigen::Vector3d& point : triangles.points) marker.points.push_back(toMsg(point));
+/// @param points  in the map
+void setPoints(const Carrier& carrier, const std::vector<Eigen::Vector3d>& points, Marker& marker) {
+  const Eigen::Isometry3d X_CW = carrier.X_WC.inverse();
+  for (const Eigen::Vector3d& point : points) marker.points.push_back(toMsg(Eigen::Vector3d(X_CW * point)));
+}
+
+Marker makeTriangles(const Carrier& carrier, const std::string& name, std::size_t id, const Triangles& triangles) {
+  Marker marker = makeMarker(carrier, name, id, Marker::TRIANGLE_LIST);
+  setPoints(carrier, triangles.points, marker);
   for (const Colour& colour : triangles.colours) marker.colors.push_back(toMsg(colour));
   marker.color.a = static_cast<float>(triangles.opacity);
   return marker;
 }
 
-Marker makeSolid(const std::string& name, int id, int type, const Eigen::Isometry3d& X_WB,
-                 const Eigen::Vector3d& size_m, const Colour& colour) {
-  Marker marker = makeMarker(name, id, type);
-  marker.pose.position = toMsg(Eigen::Vector3d(X_WB.translation()));
-  marker.pose.orientation = orientationOf(X_WB);
+Marker makeSolid(const Carrier& carrier, const std::string& name, std::size_t id, int type,
+                 const Eigen::Isometry3d& X_WB, const Eigen::Vector3d& size_m, const Colour& colour) {
+  Marker marker = makeMarker(carrier, name, id, type);
+  const Eigen::Isometry3d X_CB = carrier.X_WC.inverse() * X_WB;
+  marker.pose.position = toMsg(Eigen::Vector3d(X_CB.translation()));
+  marker.pose.orientation = orientationOf(X_CB);
   marker.scale.x = size_m.x();
   marker.scale.y = size_m.y();
   marker.scale.z = size_m.z();
@@ -77,29 +91,32 @@ Marker makeSolid(const std::string& name, int id, int type, const Eigen::Isometr
   return marker;
 }
 
-void addBoxes(const std::string& name, const std::vector<Box>& boxes, MarkerArray& msg) {
-  int id = 0;
+void addBoxes(const std::vector<Carrier>& carriers, const std::string& name, const std::vector<Box>& boxes,
+              MarkerArray& msg) {
+  std::size_t id = 0;
   for (const Box& box : boxes)
-    msg.markers.push_back(makeSolid(name, id++, Marker::CUBE, box.X_WB, box.size_m, box.colour));
+    msg.markers.push_back(makeSolid(carriers[box.carrier], name, id++, Marker::CUBE, box.X_WB, box.size_m, box.colour));
 }
 
-void addCylinders(const std::string& name, const std::vector<Cylinder>& cylinders, MarkerArray& msg) {
-  int id = 0;
+void addCylinders(const Carrier& carrier, const std::string& name, const std::vector<Cylinder>& cylinders,
+                  MarkerArray& msg) {
+  std::size_t id = 0;
   for (const Cylinder& cylinder : cylinders)
-    msg.markers.push_back(makeSolid(name, id++, Marker::CYLINDER, cylinder.X_WC, cylinder.size_m, cylinder.colour));
+    msg.markers.push_back(
+        makeSolid(carrier, name, id++, Marker::CYLINDER, cylinder.X_WC, cylinder.size_m, cylinder.colour));
 }
 
 Marker makeLine(const std::string& name, const std::vector<Eigen::Vector3d>& points, double width_m, Colour colour) {
-  Marker marker = makeMarker(name, 0, Marker::LINE_STRIP);
+  Marker marker = makeMarker(theMap(), name, 0, Marker::LINE_STRIP);
   marker.scale.x = width_m;
   marker.color = toMsg(colour);
-  for (const Eigen::Vector3d& point : points) marker.points.push_back(toMsg(point));
+  setPoints(theMap(), points, marker);
   return marker;
 }
 
-Marker makeText(const std::string& name, int id, const Caption& caption) {
-  Marker marker = makeMarker(name, id, Marker::TEXT_VIEW_FACING);
-  marker.pose.position = toMsg(caption.at_m);
+Marker makeText(const Carrier& carrier, const std::string& name, std::size_t id, const Caption& caption) {
+  Marker marker = makeMarker(carrier, name, id, Marker::TEXT_VIEW_FACING);
+  marker.pose.position = toMsg(Eigen::Vector3d(carrier.X_WC.inverse() * caption.at_m));
   marker.scale.z = caption.height_m;
   marker.text = caption.text;
   marker.color = toMsg(kInk);
@@ -112,12 +129,12 @@ void addOrTakeAway(Marker marker, MarkerArray& msg) {
   msg.markers.push_back(std::move(marker));
 }
 
-void addArrows(const std::string& name, const std::vector<Arrow>& arrows, MarkerArray& msg) {
-  int id = 0;
+void addArrows(const Carrier& carrier, const std::string& name, const std::vector<Arrow>& arrows, MarkerArray& msg) {
+  std::size_t id = 0;
   for (const Arrow& arrow : arrows) {
     if ((arrow.to_m - arrow.from_m).norm() < kShortestArrow_m) continue;
-    Marker marker = makeMarker(name, id++, Marker::ARROW);
-    marker.points = {toMsg(arrow.from_m), toMsg(arrow.to_m)};
+    Marker marker = makeMarker(carrier, name, id++, Marker::ARROW);
+    setPoints(carrier, {arrow.from_m, arrow.to_m}, marker);
     marker.scale.x = kShaft_m;
     marker.scale.y = kHead_m;
     marker.scale.z = std::min(kHead_m, 0.5 * (arrow.to_m - arrow.from_m).norm());
@@ -156,7 +173,7 @@ Contact wheelOf(const train_msgs::AxleAdhesion& msg, double axle_m, double side)
 
 MarkerArray clearingMsg() {
   MarkerArray msg;
-  msg.markers.push_back(makeMarker("", 0, Marker::CUBE));
+  msg.markers.push_back(makeMarker(theMap(), "", 0, Marker::CUBE));
   msg.markers.back().action = Marker::DELETEALL;
   return msg;
 }
@@ -164,52 +181,51 @@ MarkerArray clearingMsg() {
 MarkerArray toMsg(const TrackShape& shape) {
   MarkerArray msg = clearingMsg();  // of another run's line there may be more posts
   const Colour steel{0.62, 0.62, 0.66, 1.0}, pale{0.8, 0.78, 0.7, 1.0};
-  msg.markers.push_back(makeTriangles("bed", shape.bed));
+  msg.markers.push_back(makeTriangles(theMap(), "bed", 0, shape.bed));
   msg.markers.push_back(makeLine("left_rail", shape.left_rail, kRailWidth_m, steel));
   msg.markers.push_back(makeLine("right_rail", shape.right_rail, kRailWidth_m, steel));
   for (std::size_t i = 2; i < 4; ++i) msg.markers[i].pose.position.z = -0.5 * kRailWidth_m;  // tops are tops
   msg.markers.push_back(makeLine("centre", shape.centre, kCentreWidth_m, pale));
-  int id = 0;
-  for (const Caption& post : shape.posts) msg.markers.push_back(makeText("posts", id++, post));
+  std::size_t id = 0;
+  for (const Caption& post : shape.posts) msg.markers.push_back(makeText(theMap(), "posts", id++, post));
   return msg;
 }
 
 MarkerArray toTrainMsg(const TrainShape& shape, const std::vector<Caption>& captions) {
   MarkerArray msg;
-  addBoxes("bodies", shape.bodies, msg);
-  addOrTakeAway(makeTriangles("roofs", shape.roofs), msg);
-  addBoxes("bogies", shape.bogies, msg);
-  addBoxes("chosen_bogies", shape.chosen_bogies, msg);
-  addCylinders("chosen_wheels", shape.chosen_wheels, msg);
-  int id = 0;
-  for (const Caption& caption : captions) msg.markers.push_back(makeText("text", id++, caption));
+  addBoxes(shape.carriers, "bodies", shape.bodies, msg);
+  for (const Triangles& roofs : shape.roofs)
+    addOrTakeAway(makeTriangles(shape.carriers[roofs.carrier], "roofs", roofs.carrier, roofs), msg);
+  addBoxes(shape.carriers, "bogies", shape.bogies, msg);
+  addBoxes(shape.carriers, "chosen_bogies", shape.chosen_bogies, msg);
+  addCylinders(shape.carriers[shape.chosen], "chosen_wheels", shape.chosen_wheels, msg);
+  std::size_t id = 0;
+  for (const Caption& caption : captions)
+    msg.markers.push_back(makeText(shape.carriers[caption.carrier], "text", id++, caption));
   return msg;
 }
 
 MarkerArray toCouplersMsg(const TrainShape& shape) {
   MarkerArray msg;
-  addBoxes("couplers", shape.couplers, msg);
-  addOrTakeAway(makeTriangles("diagram", shape.force_diagram), msg);
+  addBoxes(shape.carriers, "couplers", shape.couplers, msg);
+  addOrTakeAway(makeTriangles(shape.carriers.front(), "diagram", 0, shape.force_diagram), msg);
   return msg;
 }
 
 MarkerArray toMsg(const ContactShape& shape) {
   MarkerArray msg = clearingMsg();  // contacts come and go
-  addArrows("normal", shape.normal_forces, msg);
-  addArrows("creep", shape.creep_forces, msg);
-  addCylinders("patches", shape.patches, msg);
+  addArrows(shape.carrier, "normal", shape.normal_forces, msg);
+  addArrows(shape.carrier, "creep", shape.creep_forces, msg);
+  addCylinders(shape.carrier, "patches", shape.patches, msg);
   return msg;
 }
 
-geometry_msgs::TransformStamped toMsg(ros::Time stamp, const std::string& child, const Eigen::Isometry3d& X) {
-  geometry_msgs::TransformStamped msg;
-  msg.header.stamp = stamp;
-  msg.header.frame_id = "map";
-  msg.child_frame_id = child;
-  msg.transform.translation.x = X.translation().x();
-  msg.transform.translation.y = X.translation().y();
-  msg.transform.translation.z = X.translation().z();
-  msg.transform.rotation = orientationOf(X);
+tf2_msgs::TFMessage makeAlias(const std::string& frame, const std::string& alias) {
+  tf2_msgs::TFMessage msg;
+  msg.transforms.resize(1);
+  msg.transforms[0].header.frame_id = frame;
+  msg.transforms[0].child_frame_id = alias;
+  msg.transforms[0].transform.rotation.w = 1.0;
   return msg;
 }
 

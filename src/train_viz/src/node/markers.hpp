@@ -1,6 +1,6 @@
 #pragma once
 
-#include <geometry_msgs/TransformStamped.h>
+#include <tf2_msgs/TFMessage.h>
 #include <train_msgs/Adhesion.h>
 #include <train_msgs/TrainState.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -14,8 +14,9 @@
 #include "train_viz/train_outline.hpp"
 #include "train_viz/train_shape.hpp"
 
-/// From what is drawn to rviz's messages, all in the frame `map`. Their stamp is 0: they are shown as they come.
-/// rviz takes a marker whole or not at all, so a box is a CUBE with pose and size (174 bytes), not its corners.
+/// From what is drawn to rviz's messages. Their stamp is 0: they are shown as they come. The line is in the frame
+/// `map`, all else in the frames of its carriers and locked to them: rviz moves it as those frames move. rviz takes a
+/// marker whole or not at all, so a box is a CUBE with pose and size (174 bytes), not its corners.
 namespace viz {
 
 visualization_msgs::MarkerArray toMsg(const TrackShape& shape);
@@ -23,8 +24,8 @@ visualization_msgs::MarkerArray toTrainMsg(const TrainShape& shape, const std::v
 visualization_msgs::MarkerArray toCouplersMsg(const TrainShape& shape);
 visualization_msgs::MarkerArray toMsg(const ContactShape& shape);
 
-/// A frame of tf, child of `map`.
-geometry_msgs::TransformStamped toMsg(ros::Time stamp, const std::string& child, const Eigen::Isometry3d& X);
+/// Another name for a frame of tf: a child that lies in it. For /tf_static, where it knows no time and so lags nothing.
+tf2_msgs::TFMessage makeAlias(const std::string& frame, const std::string& alias);
 
 /// Takes away all that this topic has shown.
 visualization_msgs::MarkerArray clearingMsg();

@@ -14,16 +14,10 @@ constexpr double kNearText_m = 8.5;  // above the rail
 constexpr double kFarLetters_m = 45.0;
 const Eigen::Vector3d kFarText_m(-450.0, 250.0, 150.0);  // in the map's axes, which the view from above has
 
-std::vector<Caption> captionsAbove(const Eigen::Isometry3d& X_WT, const std::string& text) {
-  return {{X_WT * Eigen::Vector3d(0.0, 0.0, kNearText_m), kNearLetters_m, text},
-          {X_WT.translation() + kFarText_m, kFarLetters_m, text}};
-}
-
-/// tf2 takes no second pose of one instant: another picture of a held train comes a nanosecond later.
-ros::Time stampAfter(ros::Time last, ros::Time stamp) {
-  const ros::Duration nanosecond(0, 1),
-      millisecond(0, 1000000);  // no run has steps so short that this reaches the next
-  return last >= stamp && last - stamp < millisecond ? last + nanosecond : stamp;
+/// @param carriers  of the train; the second one is the leading locomotive's
+std::vector<Caption> captionsAbove(const std::vector<Carrier>& carriers, const std::string& text) {
+  return {{carriers[1].X_WC * Eigen::Vector3d(0.0, 0.0, kNearText_m), kNearLetters_m, text, 1},
+          {carriers[0].X_WC * kFarText_m, kFarLetters_m, text, 0}};
 }
 
 }  // namespace
@@ -53,9 +47,7 @@ void TrainMarkers::advertise() {
   couplers_ = advertiseMarkers("couplers");
   contacts_ = advertiseMarkers("contacts");
   locomotive_ = private_node_.advertise<std_msgs::Int32>("locomotive", 1, true);
-  // Latched, although /tf seldom is: all frames of this node are in one message, so who comes while the train is held
-  // gets them all.
-  tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10, true);
+  static_frames_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
 }
 
 void TrainMarkers::listenToLocomotive() {
@@ -78,13 +70,18 @@ void TrainMarkers::onChoice(const std_msgs::Int32& msg) {
   options_.locomotive = msg.data;
   for (const ros::Publisher& publisher : {train_, contacts_}) publisher.publish(clearingMsg());
   listenToLocomotive();
-  tellMissing();
+  nameChosen();
   state_is_new_ = true;
 }
 
-/// Says so if the train has no such locomotive.
-void TrainMarkers::tellMissing() const {
-  if (!run_ || options_.locomotive <= static_cast<int>(run_->outline.locomotives.size())) return;
+/// Hangs the camera's frame on the chosen locomotive, or says that the train has no such locomotive.
+void TrainMarkers::nameChosen() {
+  if (!run_) return;
+  if (options_.locomotive <= static_cast<int>(run_->outline.locomotives.size())) {
+    static_frames_.publish(
+        makeAlias("loco_" + std::to_string(options_.locomotive) + "/base_link", "chosen_locomotive"));
+    return;
+  }
   ROS_WARN("train_markers: locomotive %d: %s has %zu locomotives; its train is shown without contacts",
            options_.locomotive, run_->outline.name.c_str(), run_->outline.locomotives.size());
 }
@@ -100,7 +97,7 @@ void TrainMarkers::onConfiguration(const train_msgs::RunConfiguration& msg) {
     ROS_ERROR("train_markers: cannot show %s: %s", msg.scenario.c_str(), error.what());
     return;
   }
-  tellMissing();
+  nameChosen();
   track_.publish(toMsg(computeTrackShape(run_->outline.track, run_->world)));
   ROS_INFO("train_markers: shows %s: %zu vehicles on %s", msg.scenario.c_str(), run_->outline.vehicles.size(),
            run_->outline.track.name().c_str());
@@ -127,29 +124,16 @@ void TrainMarkers::showTrain(const train_msgs::TrainState& msg) {
   const TrainShape shape =
       computeTrainShape(run_->outline, run_->world, options_.locomotive, msg.vehicle_location, msg.coupler_force);
   const std::string text = computeCaption(fromMsg(msg), options_.locomotive);
-  train_.publish(toTrainMsg(shape, captionsAbove(frameOf(run_->world.at(msg.location)), text)));
+  train_.publish(toTrainMsg(shape, captionsAbove(shape.carriers, text)));
   couplers_.publish(toCouplersMsg(shape));
-  frames_stamp_ = stampAfter(frames_stamp_, msg.header.stamp);
-  tf_.publish(computeFrames(msg, frames_stamp_));
 }
 
 void TrainMarkers::showContacts(const train_msgs::Adhesion& msg) {
   const auto i = static_cast<std::size_t>(options_.locomotive - 1);
   if (i >= run_->outline.locomotives.size()) return;
   const VehicleOutline& locomotive = run_->outline.vehicles[run_->outline.locomotives[i]];
-  contacts_.publish(toMsg(computeContactShape(run_->world, msg.location, fromMsg(msg, locomotive))));
-}
-
-/// For cameras: the track's frame at the leading and at the chosen locomotive.
-tf2_msgs::TFMessage TrainMarkers::computeFrames(const train_msgs::TrainState& msg, ros::Time stamp) const {
-  tf2_msgs::TFMessage frames;
-  frames.transforms.push_back(toMsg(stamp, "train", frameOf(run_->world.at(msg.location))));
-  const auto i = static_cast<std::size_t>(options_.locomotive - 1);
-  if (i < run_->outline.locomotives.size()) {
-    const double location_m = msg.vehicle_location[run_->outline.locomotives[i]];
-    frames.transforms.push_back(toMsg(stamp, "chosen_locomotive", frameOf(run_->world.at(location_m))));
-  }
-  return frames;
+  contacts_.publish(
+      toMsg(computeContactShape(run_->world, options_.locomotive, msg.location, fromMsg(msg, locomotive))));
 }
 
 }  // namespace viz

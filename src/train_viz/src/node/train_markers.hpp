@@ -15,10 +15,11 @@
 
 namespace viz {
 
-/// Shows a run in rviz: listens to /train/configuration, /train/state and /loco_i/adhesion, publishes markers and the
-/// frames `train` and `chosen_locomotive`, no more often than `rate_hz` of wall time, and nothing while nothing new has
-/// come. It keeps the choice of the locomotive for all who look: who wants another one asks on ~choose_locomotive,
-/// which one it is comes on ~locomotive. docs/watch.md says what is on which topic.
+/// Shows a run in rviz: listens to /train/configuration, /train/state and /loco_i/adhesion, publishes markers, no more
+/// often than `rate_hz` of wall time, and nothing while nothing new has come. What moves is drawn in frames that the
+/// run itself publishes on /tf, so it stays together at any rate. The frame `chosen_locomotive` is another name for
+/// that locomotive's own. It keeps the choice of the locomotive for all who look: who wants another one asks on
+/// ~choose_locomotive, which one it is comes on ~locomotive. docs/watch.md says what is on which topic.
 class TrainMarkers {
  public:
   static constexpr int kMostLocomotives = 5000;
@@ -34,10 +35,9 @@ class TrainMarkers {
   void onTimer(const ros::WallTimerEvent&);
   void showTrain(const train_msgs::TrainState& msg);
   void showContacts(const train_msgs::Adhesion& msg);
-  tf2_msgs::TFMessage computeFrames(const train_msgs::TrainState& msg, ros::Time stamp) const;
   void advertise();
   void listenToLocomotive();
-  void tellMissing() const;
+  void nameChosen();
 
   /// The run that is shown; the world refers to the outline's track, so both stay where they are.
   struct Run {
@@ -51,9 +51,8 @@ class TrainMarkers {
   train_msgs::TrainState::ConstPtr state_;   ///< newest
   bool state_is_new_ = false;                ///< not shown yet
   train_msgs::Adhesion::ConstPtr adhesion_;  ///< newest, not shown yet
-  ros::Time frames_stamp_;                   ///< of the last frames
   ros::NodeHandle node_, private_node_{"~"};
-  ros::Publisher track_, train_, couplers_, contacts_, tf_, locomotive_;
+  ros::Publisher track_, train_, couplers_, contacts_, static_frames_, locomotive_;
   ros::Subscriber configuration_subscriber_, state_subscriber_, adhesion_subscriber_, choice_subscriber_;
   ros::WallTimer timer_;
 };

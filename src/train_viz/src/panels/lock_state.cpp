@@ -21,6 +21,11 @@ std::string duration(double seconds) {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
+std::string timeLeftOf(const TrainStatus& status) {
+  if (ended(status.phase)) return "ended";
+  return status.time_left_s < 0.0 ? "not known" : duration(status.time_left_s);
+}
+
 std::string joinedOf(const std::vector<bool>& joined) {
   std::string missing;
   std::size_t there = 0;
@@ -67,8 +72,7 @@ std::string phaseWords(const std::optional<TrainStatus>& status, double silence_
 
 StatusWords describe(const TrainStatus& status) {
   return {format("%.3f s", status.time_s), format("%.4f km", 1e-3 * status.place_m),
-          format("%.1f times real time", status.real_time_factor),
-          status.time_left_s < 0.0 ? "not known" : duration(status.time_left_s), joinedOf(status.joined)};
+          format("%.1f times real time", status.real_time_factor), timeLeftOf(status), joinedOf(status.joined)};
 }
 
 AllowedCommands allowedCommands(const std::optional<TrainStatus>& status, double silence_s, bool busy) {

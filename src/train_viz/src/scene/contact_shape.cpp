@@ -28,9 +28,10 @@ double Contact::computeUse() const {
   return offered_N > 0.0 ? std::hypot(longitudinal_N, lateral_N) / offered_N : 0.0;
 }
 
-ContactShape computeContactShape(const rail::WorldTrack& world, double location_m,
+ContactShape computeContactShape(const rail::WorldTrack& world, int number, double location_m,
                                  const std::vector<Contact>& contacts) {
   ContactShape shape;
+  shape.carrier = locomotiveCarrier(world, number, location_m);
   for (const Contact& contact : contacts) {
     const Eigen::Isometry3d X_WP = contactFrame(world, location_m, contact);
     const Colour colour = adhesionColour(contact.computeUse());

@@ -18,4 +18,14 @@ Eigen::Isometry3d frameOf(const rail::TrackPose& pose) {
   return X_WT;
 }
 
+Carrier trainCarrier(const rail::WorldTrack& world, double location_m) {
+  Carrier carrier{"train", Eigen::Isometry3d::Identity()};
+  carrier.X_WC.translation() = frameOf(world.at(location_m)).translation();
+  return carrier;
+}
+
+Carrier locomotiveCarrier(const rail::WorldTrack& world, int number, double location_m) {
+  return {"loco_" + std::to_string(number) + "/base_link", frameOf(world.at(location_m))};
+}
+
 }  // namespace viz

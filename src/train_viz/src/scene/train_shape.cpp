@@ -88,8 +88,37 @@ void addWheelset(const Eigen::Isometry3d& X_WT, double wheel_radius_m, std::vect
 void addChosenBogies(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, TrainShape& shape) {
   for (const BogieOutline& bogie : vehicle.bogies) {
     shape.chosen_bogies.push_back(bogieOf(bogie, world, s_m, kGlassBogie));
+    shape.chosen_bogies.back().carrier = shape.chosen;
     for (const double x_m : bogie.axles_m)
       addWheelset(frameOf(world.at(s_m + x_m)), vehicle.wheel_radius_m, shape.chosen_wheels);
+  }
+}
+
+void addCarriers(const TrainOutline& outline, const rail::WorldTrack& world,
+                 const std::vector<double>& vehicle_location_m, TrainShape& shape) {
+  shape.carriers = {trainCarrier(world, vehicle_location_m[outline.locomotives.front()])};
+  for (const std::size_t vehicle : outline.locomotives)
+    shape.carriers.push_back(
+        locomotiveCarrier(world, *outline.vehicles[vehicle].locomotive, vehicle_location_m[vehicle]));
+  shape.roofs.resize(shape.carriers.size());
+  for (std::size_t i = 0; i < shape.roofs.size(); ++i) shape.roofs[i].carrier = i;
+}
+
+void addVehicle(const VehicleOutline& vehicle, const rail::WorldTrack& world, double s_m, int chosen,
+                TrainShape& shape) {
+  const auto carrier = static_cast<std::size_t>(vehicle.locomotive.value_or(0));
+  const bool is_chosen = vehicle.locomotive == chosen;
+  shape.bodies.push_back(bodyOf(vehicle, world, s_m, is_chosen));
+  shape.bodies.back().carrier = carrier;
+  addRoof(shape.bodies.back(), shape.roofs[carrier]);
+  if (is_chosen) {
+    shape.chosen = carrier;
+    addChosenBogies(vehicle, world, s_m, shape);
+    return;
+  }
+  for (const BogieOutline& bogie : vehicle.bogies) {
+    shape.bogies.push_back(bogieOf(bogie, world, s_m, kBogie));
+    shape.bogies.back().carrier = carrier;
   }
 }
 
@@ -129,18 +158,9 @@ TrainShape computeTrainShape(const TrainOutline& outline, const rail::WorldTrack
                              const std::vector<double>& vehicle_location_m,
                              const std::vector<double>& coupler_force_N) {
   TrainShape shape;
-  for (std::size_t i = 0; i < outline.vehicles.size(); ++i) {
-    const VehicleOutline& vehicle = outline.vehicles[i];
-    const double s_m = vehicle_location_m[i];
-    const bool is_chosen = vehicle.locomotive == chosen;
-    shape.bodies.push_back(bodyOf(vehicle, world, s_m, is_chosen));
-    addRoof(shape.bodies.back(), shape.roofs);
-    if (is_chosen) {
-      addChosenBogies(vehicle, world, s_m, shape);
-    } else {
-      for (const BogieOutline& bogie : vehicle.bogies) shape.bogies.push_back(bogieOf(bogie, world, s_m, kBogie));
-    }
-  }
+  addCarriers(outline, world, vehicle_location_m, shape);
+  for (std::size_t i = 0; i < outline.vehicles.size(); ++i)
+    addVehicle(outline.vehicles[i], world, vehicle_location_m[i], chosen, shape);
   std::vector<double> place_m;
   for (std::size_t i = 0; i < coupler_force_N.size(); ++i) {
     shape.couplers.push_back(

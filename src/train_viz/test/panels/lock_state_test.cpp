@@ -70,6 +70,15 @@ TEST(LockStateTest, TimeLeftIsNotKnownOrReadable) {
   EXPECT_EQ(describe(status).time_left, "2 h 1 min");
 }
 
+TEST(LockStateTest, ARunThatHasEndedHasNoTimeLeft) {
+  for (const Phase phase : {Phase::kFinished, Phase::kStopped, Phase::kFailed}) {
+    TrainStatus status = inPhase(phase);
+    EXPECT_EQ(describe(status).time_left, "ended");
+    status.time_left_s = 12.0;
+    EXPECT_EQ(describe(status).time_left, "ended");
+  }
+}
+
 TEST(LockStateTest, SaysThatATrainIsSilentUnlessItHasEnded) {
   EXPECT_EQ(phaseWords(std::nullopt, 0.0), "nothing heard of it");
   TrainStatus status;

@@ -28,7 +28,7 @@ class ContactShapeTest : public fixtures::PaperLine {
     return contact;
   }
   ContactShape draw(const Contact& contact, double location_m = 3000.0) const {
-    return viz::computeContactShape(world, location_m, {contact});
+    return viz::computeContactShape(world, 2, location_m, {contact});
   }
   static Eigen::Vector3d along(const viz::Arrow& arrow) { return arrow.to_m - arrow.from_m; }
 };
@@ -38,6 +38,12 @@ TEST_F(ContactShapeTest, AWheelsLoadPointsUpFromTheRail) {
   ASSERT_EQ(shape.normal_forces.size(), 1U);
   EXPECT_NEAR((shape.normal_forces[0].from_m - Eigen::Vector3d(3008.5, 0.75, 0.0)).norm(), 0.0, 1e-9);
   EXPECT_NEAR((along(shape.normal_forces[0]) - Eigen::Vector3d(0.0, 0.0, 1.1)).norm(), 0.0, 1e-9);
+}
+
+TEST_F(ContactShapeTest, IsCarriedByItsLocomotive) {
+  const ContactShape shape = draw(leftFrontWheel(), 3540.0);
+  EXPECT_EQ(shape.carrier.frame, "loco_2/base_link");
+  EXPECT_TRUE(shape.carrier.X_WC.isApprox(viz::frameOf(world.at(3540.0)), 1e-12));
 }
 
 TEST_F(ContactShapeTest, TractionPointsForwardBrakingBackward) {

@@ -90,11 +90,35 @@ TEST_F(TrainShapeTest, BodiesAreAsLongAsTheVehiclesLessTheCouplersRoom) {
   EXPECT_NEAR(shape.bodies[0].size_m.x(), 22.0 - viz::kBodyGap_m, 1e-12);
   EXPECT_NEAR(shape.bodies[3].size_m.x(), 15.0 - viz::kBodyGap_m, 1e-12);
   EXPECT_GT(shape.bodies[0].size_m.z(), shape.bodies[3].size_m.z()) << "a locomotive is taller than a wagon";
-  ASSERT_EQ(shape.roofs.points.size(), 108U * 6U);
-  for (int i = 0; i < 6; ++i) EXPECT_NEAR(shape.roofs.points[static_cast<std::size_t>(i)].z(), 4.2, 0.05);
-  EXPECT_GT((shape.roofs.points[1] - shape.roofs.points[0]).cross(shape.roofs.points[2] - shape.roofs.points[1]).z(),
-            0.0)
-      << "seen from above";
+  ASSERT_EQ(shape.roofs.size(), 4U) << "of the wagons, and of each locomotive";
+  EXPECT_EQ(shape.roofs[0].points.size(), 105U * 6U);
+  const std::vector<Eigen::Vector3d>& first = shape.roofs[1].points;
+  ASSERT_EQ(first.size(), 6U);
+  for (const Eigen::Vector3d& point : first) EXPECT_NEAR(point.z(), 4.2, 0.05);
+  EXPECT_GT((first[1] - first[0]).cross(first[2] - first[1]).z(), 0.0) << "seen from above";
+}
+
+/// At 3540 m the line points 43 degrees to the left of the map's x.
+TEST_F(TrainShapeTest, LocomotivesAreCarriedByTheirOwnFramesAllElseByTheTrain) {
+  const TrainShape shape = at(3540.0, 2);
+  ASSERT_EQ(shape.carriers.size(), 4U);
+  EXPECT_EQ(shape.carriers[0].frame, "train");
+  EXPECT_EQ(shape.carriers[3].frame, "loco_3/base_link");
+  EXPECT_TRUE(shape.carriers[0].X_WC.linear().isIdentity(0.0)) << "the end of the train must not swing";
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Isometry3d X_WT = viz::frameOf(world.at(placesFrom(3540.0)[i]));
+    EXPECT_TRUE(shape.carriers[i + 1].X_WC.isApprox(X_WT, 1e-12)) << i;
+    EXPECT_EQ(shape.bodies[i].carrier, i + 1);
+    EXPECT_EQ(shape.roofs[i + 1].carrier, i + 1);
+  }
+  EXPECT_EQ(shape.carriers[0].X_WC.translation(), shape.carriers[1].X_WC.translation());
+  EXPECT_EQ(shape.chosen, 2U);
+  EXPECT_EQ(shape.chosen_bogies[1].carrier, 2U);
+  EXPECT_EQ(shape.bogies[0].carrier, 1U);
+  EXPECT_EQ(shape.bogies[2].carrier, 3U);
+  EXPECT_EQ(shape.bogies[4].carrier, 0U) << "of the first wagon";
+  EXPECT_EQ(shape.bodies[3].carrier, 0U);
+  EXPECT_EQ(shape.couplers[0].carrier, 0U);
 }
 
 TEST_F(TrainShapeTest, CouplersReachFromBodyToBody) {
