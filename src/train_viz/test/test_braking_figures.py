@@ -27,6 +27,18 @@ def texts(figure):
     return ' '.join(text.get_text() for text in figure.axes[0].texts)
 
 
+def overlaps(axes):
+    """Pairs of ribbons of a flow picture of which one's middle runs inside the other."""
+    share = np.linspace(0.0, 1.0, 60)[1:-1, None]
+    basis = ((1.0 - share) ** 3, 3.0 * share * (1.0 - share) ** 2, 3.0 * share ** 2 * (1.0 - share), share ** 3)
+    ribbons = [patch.get_path() for patch in axes.patches if isinstance(patch, PathPatch)]
+    ribbons = [r for r in ribbons if r.vertices[7, 1] - r.vertices[0, 1] > 1e-3 * np.ptp(axes.get_ylim())]  # not hairlines
+    middles = [sum(b * (low + high) / 2.0 for b, low, high in zip(basis, ribbon.vertices[:4], ribbon.vertices[7:3:-1]))
+               for ribbon in ribbons]
+    return [(i, j) for i, middle in enumerate(middles) for j, other in enumerate(ribbons)
+            if i != j and Path(other.to_polygons()[0]).contains_points(middle).any()]
+
+
 def crossings(axes):
     """Pairs of a ribbon and a node of a flow picture that it passes through, between its ends."""
     ribbons = [patch.get_path() for patch in axes.patches if isinstance(patch, PathPatch)]
@@ -150,7 +162,7 @@ class BrakingFiguresTest(unittest.TestCase):
             for patch in axes.patches:
                 outline = Path(patch.get_path().transformed(patch.get_patch_transform()).to_polygons()[0])
                 self.assertFalse(outline.contains_points(corners).any(), patch)
-            self.assertEqual(crossings(axes), [])
+            self.assertEqual((crossings(axes), overlaps(axes)), ([], []))
         self.assertNotIn('traction', name.get_text())  # there is none
 
     def test_spin_of_wheels_that_slow_down_goes_to_the_brakes_beside_the_rail(self):
@@ -195,7 +207,8 @@ class BrakingFiguresTest(unittest.TestCase):
         for name in ('generator_loss', 'fuel'):  # over the link
             run.locos[name][-1] += 5e6
         for shown in (self.braked, run):
-            self.assertEqual(crossings(draw_energy_supply(shown).axes[0]), [])
+            axes = draw_energy_supply(shown).axes[0]
+            self.assertEqual((crossings(axes), overlaps(axes)), ([], []))
 
     def test_sums_of_the_supply_are_those_of_the_bag(self):
         locos = {name: values.copy() for name, values in self.braked.locos.items()}
