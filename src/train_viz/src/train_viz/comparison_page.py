@@ -23,7 +23,8 @@ CAPTIONS = {
     'fig8_energy': 'Fig. 8. Energy by Eq. (4), final speed and time beside it; below, the difference in per cent and '
                    "the paper's percentages as diamonds.",
     'fig9_force_difference': 'Fig. 9. The rate of Eq. (4) is the force, so these are differences of force. Diamonds, '
-                             'filled as the bars they belong to: values that the paper states, or that follow from the forces that it states.',
+                             'filled as the bars they belong to: values that the paper states, or that follow from the '
+                             'forces that it states.',
 }
 
 

@@ -24,8 +24,9 @@ def draw_energy_flow(run: Run) -> Figure:
     figure, axes = plt.subplots(figsize=(11.0, 6.4 + 0.4 * max(len(losses + sinks + braked) - 8, 0)))
     total = max(sum(flow[2] for flow in flows) for flows in (sources, losses + sinks)) or 1.0
     spin = sum(flow[2] for flow in sources if flow[0] == SPIN)
-    rail_in = sum(flow[2] for flow in sources) - sum(flow[2] for flow in losses) - spin
-    rail_low = (total - rail_in) / 2.0
+    lost = sum(flow[2] for flow in losses)
+    rail_in = sum(flow[2] for flow in sources) - lost - spin
+    rail_low = total - lost - rail_in  # level with the motors, so that the losses pass above
     sankey.node(axes, X_RAIL, rail_low, rail_in, RIM_COLOUR)
     brakes_low = _draw_sinks(axes, (losses, sinks, braked), (rail_low + rail_in, spin), total)
     low = _draw_sources(axes, sources, losses, (rail_low + rail_in, brakes_low), total)
