@@ -49,7 +49,7 @@ void Cosimulation::start() {
 
 void Cosimulation::hold() {
   assert(!under_way_);
-  if (answers_.empty() || answers_.front() == nullptr) return;
+  if (!step_is_whole_) return;
   const StepRecord record{before_, state_, forces_, loco_forces_, answers_};
   guarded([&] {
     for (RunObserver* observer : observers_) observer->onHold(record);
@@ -59,6 +59,7 @@ void Cosimulation::hold() {
 void Cosimulation::begin() {
   assert(!under_way_ && !outcome_.ended());
   under_way_ = true;
+  step_is_whole_ = false;
   dynamics_.computeOuterForces(state_, forces_);
   asks_driver_ = scenario_.driver.asksAt(time()) && silence_.empty();
   if (asks_driver_)
@@ -135,6 +136,7 @@ bool Cosimulation::tryCommit() {
     dynamics_.updateStoredEnergies(state_);
   const StepRecord record{before_, state_, forces_, loco_forces_, answers_};
   under_way_ = false;
+  step_is_whole_ = true;
   guarded([&] {
     for (RunObserver* observer : observers_) observer->onStep(record);
   });

@@ -5,6 +5,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 #include "ltd_sim/csv_file.hpp"
@@ -54,11 +55,19 @@ class Sweep {
 
   int run() {
     std::vector<std::thread> helpers;
-    for (int i = 1; i < arguments_.jobs; ++i) helpers.emplace_back([this] { work(); });
+    const std::size_t jobs = std::min(static_cast<std::size_t>(arguments_.jobs), scenarios_.size());
+    helpers.reserve(jobs);
+    try {
+      while (helpers.size() + 1 < jobs) helpers.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      // the machine gives no more threads: those that it gave do the work
+    }
     work();
     for (std::thread& helper : helpers) helper.join();
     if (failure_) std::rethrow_exception(failure_);
-    return status_;
+    Outcome stopped;
+    stopped.kind = Outcome::Kind::kStopped;
+    return interrupted != 0 && status_ == 0 ? stopped.exitStatus() : status_;  // between two runs
   }
 
  private:

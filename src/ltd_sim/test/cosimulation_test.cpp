@@ -134,4 +134,47 @@ TEST(CosimulationTest, EndedFromOutsideItGivesUpTheStepUnderWayAndEndsOnce) {
   EXPECT_EQ(log, (std::vector<std::string>{"start0", "step0", "end:stopped1"}));
 }
 
+/// A locomotive that can fall silent.
+class FallingSilent : public loco::LocoPort {
+ public:
+  explicit FallingSilent(loco::LocoPort& port) : port_(port) {}
+  void send(const loco::LocoForce& force, const std::vector<double>& state) override { port_.send(force, state); }
+  const loco::LocoTraction* answer() override { return silent ? nullptr : port_.answer(); }
+  bool silent = false;
+
+ private:
+  loco::LocoPort& port_;
+};
+
+struct HoldsSeen : ltd::RunObserver {
+  void onHold(const ltd::StepRecord& record) override {
+    steps.push_back(record.after.step);
+    for (const loco::LocoTraction* answer : record.answers) ASSERT_NE(answer, nullptr);
+  }
+  std::vector<std::uint64_t> steps;
+};
+
+TEST(CosimulationTest, AHeldRunIsShownAfterAWholeStepAndNotAfterOneThatWasGivenUp) {
+  const ltd::Scenario scenario = smallScenario();
+  Fleet fleet(scenario);
+  ASSERT_EQ(fleet.ports.size(), 2u);
+  FallingSilent second(*fleet.ports[1]);
+  HoldsSeen seen;
+  ltd::Cosimulation run(scenario, {fleet.ports[0], &second}, {&seen});
+  run.start();
+  run.hold();
+  for (int i = 0; i < 3; ++i) {
+    run.begin();
+    ASSERT_TRUE(run.tryCommit());
+  }
+  run.hold();
+  EXPECT_EQ(seen.steps, std::vector<std::uint64_t>{3});
+  second.silent = true;
+  run.begin();
+  EXPECT_FALSE(run.tryCommit());
+  run.end(Kind::kFailed, "loco_2 has not answered");
+  run.hold();
+  EXPECT_EQ(seen.steps.size(), 1u);
+}
+
 }  // namespace

@@ -29,7 +29,8 @@ class Cosimulation {
 
   /// Tells the observers of the start. Call once, before begin().
   void start();
-  /// Tells the observers that the run stands still. No step under way; does nothing before the first.
+  /// Tells the observers that the run stands still. No step under way; does nothing before the first, nor after one
+  /// that was given up: its forces and answers belong to no state.
   void hold();
 
   /// @pre no step under way, not ended
@@ -77,6 +78,7 @@ class Cosimulation {
   std::vector<const loco::LocoTraction*> answers_;
   Outcome outcome_;
   bool under_way_ = false;
+  bool step_is_whole_ = false;  ///< forces and answers are those of the step that led to the state
   bool asks_driver_ = false;
   std::string silence_;                       ///< since when the driver has been silent, in words; empty: he has not
   std::vector<std::string> refused_answers_;  ///< the driver's, each fault where it came first, in words

@@ -36,13 +36,7 @@ BagWriter::~BagWriter() {
 
 void BagWriter::onStart(const TrainState& state) {
   bag_->write("/train/configuration", toStamp(0), toMsg(scenario_, run_id_));
-  TrainForces none;  // no force has been computed yet
-  none.notch.assign(scenario_.train.locomotives.size(), 0);
-  none.brake_notch.assign(scenario_.train.locomotives.size(), 0);
-  none.view.speed_limit_mps =
-      scenario_.track.at(state.s_m[scenario_.train.locomotives.front().vehicle]).speed_limit_mps;
-  none.coupler.resize(scenario_.train.coupler_type.size());
-  writeTelemetry(state, none);
+  writeTelemetry(state, forcesAtStart(scenario_, state));
 }
 
 void BagWriter::onStep(const StepRecord& record) {

@@ -156,4 +156,13 @@ DriverCommand fromMsg(const train_msgs::DriverCommand& msg) {
   return command;
 }
 
+TrainForces forcesAtStart(const Scenario& scenario, const TrainState& state) {
+  TrainDynamics dynamics(scenario.train, scenario.track, scenario.driver, scenario.air_brake, scenario.macro_step);
+  TrainForces forces;
+  dynamics.computeOuterForces(state, forces);
+  forces.notch.assign(scenario.train.locomotives.size(), 0);
+  forces.brake_notch = forces.notch;
+  return forces;
+}
+
 }  // namespace ltd

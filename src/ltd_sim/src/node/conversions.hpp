@@ -22,6 +22,8 @@ inline constexpr std::uint32_t kBagFormatVersion = 4;
 /// Telemetry of the train and its description, field by field. The messages of the lock:
 /// loco_dynamics/node/conversions.hpp.
 void toMsg(const Scenario& scenario, const TrainState& state, const TrainForces& forces, train_msgs::TrainState& msg);
+/// What acts before the driver has been asked: no notch, no brake notch.
+TrainForces forcesAtStart(const Scenario& scenario, const TrainState& state);
 void toMsg(const Scenario& scenario, const TrainState& state, train_msgs::TrainEnergy& msg);
 train_msgs::RunConfiguration toMsg(const Scenario& scenario, std::uint64_t run_id);
 

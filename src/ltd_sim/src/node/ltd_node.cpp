@@ -175,11 +175,13 @@ int LtdNode::run(const volatile std::sig_atomic_t& interrupted) {
 void LtdNode::stay(const volatile std::sig_atomic_t& interrupted) {
   if (interrupted == 0) ROS_INFO("the run has ended; it stays to be looked at until Ctrl-C");
   while (interrupted == 0 && ros::ok()) {
-    const double now_s = wallNow();
-    if (now_s >= next_heartbeat_s_) {
+    {
       const std::lock_guard<std::mutex> guard(mutex_);
-      publishStatus();
-      next_heartbeat_s_ = now_s + kHeartbeat_s;
+      const double now_s = wallNow();
+      if (now_s >= next_heartbeat_s_) {
+        publishStatus();
+        next_heartbeat_s_ = now_s + kHeartbeat_s;
+      }
     }
     ros::WallDuration(kLongestWait_s).sleep();
   }

@@ -25,12 +25,7 @@ TelemetryPublisher::TelemetryPublisher(const Scenario& scenario, std::uint64_t r
 
 void TelemetryPublisher::onStart(const TrainState& state) {
   configuration_.publish(toMsg(scenario_, run_id_));
-  TrainDynamics dynamics(scenario_.train, scenario_.track, scenario_.driver, scenario_.air_brake, scenario_.macro_step);
-  TrainForces forces;
-  dynamics.computeOuterForces(state, forces);
-  forces.notch.assign(scenario_.train.locomotives.size(), 0);  // the driver has not been asked yet
-  forces.brake_notch = forces.notch;
-  toMsg(scenario_, state, forces, state_msg_);
+  toMsg(scenario_, state, forcesAtStart(scenario_, state), state_msg_);
   state_.publish(state_msg_);
   publishClock(0);
   tf_.publish(frames_.computeStart(state));

@@ -205,11 +205,12 @@ class GraphTest(unittest.TestCase):
         train, locos = self.start_all("lock.answer_deadline_s=3", hold="true")
         for i in (1, 2, 3):
             self.graph.wait_for_text(locos[i], "joined as incarnation")
-        locos[1].send_signal(signal.SIGSTOP)
-        self.addCleanup(locos[1].send_signal, signal.SIGCONT)
+        self.call("STEP", 10)
+        locos[2].send_signal(signal.SIGSTOP)  # not the first: what comes before it has answered, and is of no state
+        self.addCleanup(locos[2].send_signal, signal.SIGCONT)
         self.call("RUN", 0)
         self.assertEqual(self.graph.wait_for_end(train), 1)
-        self.assertRegex(outcome_of(self.graph.out)["reason"], "loco_1 has not answered step .* within 3.0 s")
+        self.assertRegex(outcome_of(self.graph.out)["reason"], "loco_2 has not answered step 10 .*within 3.0 s")
 
     def test_a_fourth_locomotive_is_refused_with_the_reason_and_does_not_disturb(self):
         train, _ = self.start_all(SHORT, order=(1, 2, 3), hold="true")

@@ -88,7 +88,6 @@ void TrainMarkers::nameChosen() {
 
 void TrainMarkers::onConfiguration(const train_msgs::RunConfiguration& msg) {
   run_.reset();
-  state_.reset();
   adhesion_.reset();
   for (const ros::Publisher& publisher : {train_, couplers_, contacts_}) publisher.publish(clearingMsg());
   try {
@@ -97,6 +96,10 @@ void TrainMarkers::onConfiguration(const train_msgs::RunConfiguration& msg) {
     ROS_ERROR("train_markers: cannot show %s: %s", msg.scenario.c_str(), error.what());
     return;
   }
+  // A held train says once where it is, and that may come before the longer configuration; what is of another train
+  // goes.
+  if (state_ && state_->vehicle_location.size() != run_->outline.vehicles.size()) state_.reset();
+  state_is_new_ = state_ != nullptr;
   nameChosen();
   track_.publish(toMsg(computeTrackShape(run_->outline.track, run_->world)));
   ROS_INFO("train_markers: shows %s: %zu vehicles on %s", msg.scenario.c_str(), run_->outline.vehicles.size(),

@@ -46,7 +46,7 @@ def draw_trip(run: Run) -> Figure:
 def _draw_speed(axes: Axes, run: Run) -> None:
     axes.plot(run.location_km, run.speed_kmph, color=plot_style.BLUE, linewidth=2.0, label='speed')
     top = max(3.6 * run.speed_mps.max(), 3.6)
-    known = run.speed_limit_mps > 0.0  # a run's first row has none: nobody has looked yet
+    known = run.speed_limit_mps > 0.0  # bags of before format 4 have none in the first row
     limits = 3.6 * run.speed_limit_mps[known]
     if len(limits) and np.ptp(limits) == 0.0 and limits[0] > FAR_LIMIT * top:
         axes.plot([], [], linestyle='none', label=f'speed limit {limits[0]:g} km/h all the way, beyond the axis')
