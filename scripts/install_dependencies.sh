@@ -3,6 +3,13 @@
 # On Ubuntu with ROS Noetic use instead: rosdep install --from-paths src --ignore-src -y
 set -euo pipefail
 
+if [[ $# -gt 0 ]]; then
+  sed -n '2,3s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  [[ "$1" == "--help" || "$1" == "-h" ]] && exit 0
+  echo "install_dependencies: takes no arguments, got \"$1\"" >&2
+  exit 2
+fi
+
 packages=(
   # compiler and the physics libraries
   g++ cmake make libeigen3-dev libyaml-cpp-dev libgtest-dev libbenchmark-dev

@@ -11,8 +11,8 @@ No real line. The rule, with every number chosen:
   transition to its end.
 - port_to_mine.csv is the same line run from the other end: chainage 66 km - x, grades and radii with the other sign.
 """
+import argparse
 import pathlib
-import sys
 
 LENGTH_KM = 66.0
 BLOCK_KM = 6.0
@@ -84,7 +84,12 @@ def write(path, table, title):
 
 
 def main():
-    tracks = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1] / "config/tracks")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=pathlib.Path, nargs="?", metavar="FOLDER", help="default: config/tracks",
+                        default=pathlib.Path(__file__).parents[1] / "config/tracks")
+    tracks = parser.parse_args().folder
+    if not tracks.is_dir():
+        parser.error(f"FOLDER {tracks}: is no folder")
     forward = rows()
     write(tracks / "mine_to_port.csv", forward, "Mine to port: a synthetic line.")
     write(tracks / "port_to_mine.csv", reversed_rows(forward), "Port to mine: mine_to_port.csv from the other end.")

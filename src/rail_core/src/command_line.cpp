@@ -1,7 +1,7 @@
 #include "rail_core/command_line.hpp"
 
 #include "rail_core/problems.hpp"
-#include "value_rules.hpp"
+#include "words.hpp"
 
 namespace rail {
 

@@ -7,6 +7,7 @@
 
 #include "rail_core/number_text.hpp"
 #include "text_fault.hpp"
+#include "words.hpp"
 
 namespace rail {
 namespace {
@@ -63,10 +64,6 @@ std::vector<Line> readLines(const std::string& text, const std::string& file, Pr
 }
 
 std::string lineKey(int number) { return "line " + std::to_string(number); }
-
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 /// Rules that hold for every header. False if its columns cannot be told apart.
 bool checkHeader(const Line& header, const std::string& file, Problems& problems) {

@@ -30,7 +30,8 @@ std::string atLine(const std::string& bytes, std::size_t i) {
 std::string textFault(const std::string& bytes) {
   const std::string start = bytes.substr(0, 2);
   if (start == "\xFF\xFE" || start == "\xFE\xFF") return "is text in UTF-16: must be UTF-8, save it so";
-  if (start == "PK") return "is a zip file or a spreadsheet: must be text, export the sheet as CSV in UTF-8";
+  if (bytes.compare(0, 4, "PK\x03\x04") == 0)
+    return "is a zip file or a spreadsheet: must be text, export the sheet as CSV in UTF-8";
   for (std::size_t i = 0; i < bytes.size();) {
     if (bytes[i] == '\0') return atLine(bytes, i) + "holds a zero byte: must be text in UTF-8";
     const std::size_t length = characterLength(bytes, i);

@@ -1,9 +1,9 @@
 #include "value_rules.hpp"
 
-#include <algorithm>
 #include <limits>
 
 #include "rail_core/number_text.hpp"
+#include "words.hpp"
 #include "yaml_source.hpp"
 
 namespace rail {
@@ -19,16 +19,6 @@ Range notNegative() { return {0.0, kInfinity, true, true}; }
 Range between(double low, double high) { return {low, high, true, true}; }
 Range above(double low) { return {low, kInfinity, false, true}; }
 Range aboveUpTo(double low, double high) { return {low, high, false, true}; }
-
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-std::string joinWords(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
 
 bool isQuoted(const YAML::Node& node) { return node.Tag() == kQuotedTag; }
 

@@ -9,9 +9,6 @@
 
 namespace rail {
 
-bool contains(const std::vector<std::string>& words, const std::string& word);
-std::string joinWords(const std::vector<std::string>& words);
-
 bool isQuoted(const YAML::Node& node);
 bool isPlainScalar(const YAML::Node& node);
 

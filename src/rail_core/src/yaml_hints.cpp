@@ -23,7 +23,7 @@ std::string contentOf(const std::string& line) {
   if (first == std::string::npos) return "";
   std::string content = line.substr(first);
   if (content.compare(0, 2, "- ") == 0) content = content.substr(2);
-  if (content.front() == '#') return "";
+  if (content.empty() || content.front() == '#') return "";
   content = content.substr(0, content.find(" #"));
   return content.substr(0, content.find_last_not_of(" \r") + 1);
 }

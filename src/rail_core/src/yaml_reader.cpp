@@ -5,6 +5,7 @@
 
 #include "rail_core/number_text.hpp"
 #include "value_rules.hpp"
+#include "words.hpp"
 #include "yaml_nodes.hpp"
 #include "yaml_source.hpp"
 

@@ -22,7 +22,7 @@ TEST(TextFaultTest, OtherEncodingsAreNamedWithWhatToDo) {
 }
 
 TEST(TextFaultTest, TextInUtf8WithAnyLineEndPasses) {
-  for (const char* const text : {"", "a",
+  for (const char* const text : {"", "a", "PK", "PKP: 1\n",
                                  "\xEF\xBB\xBF"
                                  "a,b\r\n1,2\r\n",
                                  "Zw\xC3\xB6lf \xE2\x82\xAC \xF0\x9F\x9A\x82\n"})

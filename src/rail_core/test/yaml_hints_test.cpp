@@ -46,6 +46,10 @@ TEST(YamlHintsTest, BracketsAndEqualSigns) {
   EXPECT_EQ(faults("a: 1\nlength_m = 14\nb: 2\n"), Lines{"f: line 2: is not YAML: has '=', must be ':'"});
 }
 
+TEST(YamlHintsTest, AnEntryWithNothingInItIsPassedOver) {
+  EXPECT_EQ(faults("a:\n  - {k: 1\n  - \n"), Lines{"f: line 2: is not YAML: has a bracket that is not closed"});
+}
+
 TEST(YamlHintsTest, OtherwiseTheParsersWordsAndWhereToLook) {
   EXPECT_EQ(faults("a: 1\n   b: 2\n"),
             Lines{"f: line 2: is not YAML: illegal map value; look there and in the lines before for the indentation, "
