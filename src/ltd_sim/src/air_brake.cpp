@@ -65,16 +65,16 @@ AirBrake AirBrake::read(rail::YamlReader reader, const TrainModel& train) {
   return result;
 }
 
-AirBrake::State AirBrake::initialState() const {
+AirBrake::State AirBrake::stateAtRest(double pipe_Pa) const {
   State state;
   if (!present()) return state;
-  state.pipe = pipe_.initialState(start_Pa_);
-  state.command.pipe_pressure_Pa = start_Pa_;
-  state.distributors.assign(vehicles_.size(), distributor_.initialState(start_Pa_));
+  state.pipe = pipe_.initialState(pipe_Pa);
+  state.command.pipe_pressure_Pa = pipe_Pa;
+  state.distributors.assign(vehicles_.size(), distributor_.initialState(pipe_Pa));
   state.cylinder_Pa.assign(vehicles_.size(), 0.0);
   for (std::size_t i = 0; i < vehicles_.size(); ++i) {
     const BrakedVehicle& v = vehicles_[i];
-    if (v.brake.present() && start_Pa_ < kChargedPipe_Pa) state.cylinder_Pa[i] = v.cylinder.full();
+    if (v.brake.present() && pipe_Pa < kChargedPipe_Pa) state.cylinder_Pa[i] = v.cylinder.full();
   }
   return state;
 }

@@ -13,18 +13,16 @@ namespace {
 
 constexpr rail::Nanoseconds kStep = rail::kNanosecondsPerSecond / 10;  // chosen: short against any filling
 constexpr int kMostSteps = 6000;                                       // chosen: 10 min, longer than any release
+constexpr double kSurely_Pa = 1e-3;                                    // of rounding: so much more surely applies
 constexpr double kFree = 0.05;                                         // chosen: a brake that no longer drags
 
-/// The train's brake, tried out while it stands.
+/// The train's brake, tried out while it stands: released and charged at first, all reservoirs full.
 class Trial {
  public:
-  Trial(const TrainModel& train, const AirBrake& brake)
-      : brake_(brake), state_(brake.initialState()), full_N_(train.vehicles.size(), 0.0) {
-    change(kChargedPipe_Pa);  // from whatever it starts with
-    change(brake_.fullServicePressure());
-    for (std::size_t i = 0; i < full_N_.size(); ++i) full_N_[i] = brake_.shoeForce(i, 0.0, state_);
-    sum_N_ = share();
-    change(kChargedPipe_Pa);
+  Trial(const TrainModel& train, const AirBrake& brake) : brake_(brake), state_(brake.stateAtRest(kChargedPipe_Pa)) {
+    const AirBrake::State full = brake.stateAtRest(brake.fullServicePressure());
+    for (std::size_t i = 0; i < train.vehicles.size(); ++i) full_N_.push_back(brake.shoeForce(i, 0.0, full));
+    for (const double force_N : full_N_) sum_N_ += force_N;
   }
 
   struct Ramp {
@@ -50,11 +48,11 @@ class Trial {
  private:
   static constexpr int kRest = 300;  // chosen: 30 s, so that the wave has been everywhere
 
-  /// Mean share of full service that presses; the force itself as long as the full one is not known.
+  /// Mean share of full service that presses.
   double share() const {
     double sum_N = 0.0;
     for (std::size_t i = 0; i < full_N_.size(); ++i) sum_N += brake_.shoeForce(i, 0.0, state_);
-    return sum_N_ > 0.0 ? sum_N / sum_N_ : sum_N;
+    return sum_N_ > 0.0 ? sum_N / sum_N_ : 0.0;
   }
   bool anyDrags() const {
     for (std::size_t i = 0; i < full_N_.size(); ++i)
@@ -91,11 +89,12 @@ class Trial {
 BrakeResponse computeBrakeResponse(const TrainModel& train, const AirBrake& air_brake) {
   BrakeResponse response;
   if (!air_brake.present()) return response;
-  Trial trial(train, air_brake);
-  const Trial::Ramp applied = trial.change(air_brake.fullServicePressure());
-  const Trial::Ramp released = trial.change(kChargedPipe_Pa);
-  trial.change(kChargedPipe_Pa - air_brake.firstReduction());
-  const Trial::Ramp first = trial.change(kChargedPipe_Pa);
+  // A trial each: after a release the reservoirs would still be low, and the brake another one.
+  Trial full(train, air_brake), little(train, air_brake);
+  const Trial::Ramp applied = full.change(air_brake.fullServicePressure());
+  const Trial::Ramp released = full.change(kChargedPipe_Pa);
+  little.change(kChargedPipe_Pa - air_brake.firstReduction() - kSurely_Pa);
+  const Trial::Ramp first = little.change(kChargedPipe_Pa);
   response.delay_s = applied.delay_s;
   response.fill_per_s = applied.per_s;
   response.release_delay_s = released.delay_s;

@@ -49,6 +49,17 @@ double TimetableDriver::wantedBrake(const Ahead& ahead, const DriverView& view, 
   return std::max(0.0, known - a_ref - kBrakeP_1ps * (reference - ahead.speed_mps));
 }
 
+/// Share of full service that presses now, by the shoes of all vehicles, as full service is counted.
+double TimetableDriver::feltShare(const DriverView& view) const {
+  const double full = line_.fullService(view.speed_mps);
+  return full > 0.0 ? std::fabs(view.air_brake_N + view.loco_shoes_N) / ability_.mass_kg / full : 0.0;
+}
+
+/// Acceleration by the locomotives now, without their shoes: those are in the share.
+double TimetableDriver::feltPull(const DriverView& view) const {
+  return (view.traction_N - view.loco_shoes_N) / ability_.mass_kg;
+}
+
 /// What his last commands come to. What has had its time is taken as it is felt.
 TimetableDriver::Course TimetableDriver::presentCourse(const DriverView& view, const State& state,
                                                        const DriverCommand& lead) const {
@@ -56,13 +67,12 @@ TimetableDriver::Course TimetableDriver::presentCourse(const DriverView& view, c
   const BrakeResponse& response = ability_.brake_response;
   Course course;
   course.ramp_s = reaction_s_;
-  course.locomotives_mps2 = lead.notch > 0 ? 0.0 : view.traction_N / ability_.mass_kg;  // before braking he shuts off
+  course.locomotives_mps2 = lead.notch > 0 ? 0.0 : feltPull(view);  // before braking he shuts off
   const double since_notch_s = rail::toSeconds(view.t - controls.brake_notch_changed);
   if (lead.notch == 0 && since_notch_s < 3.0 * reaction_s_)
     course.locomotives_mps2 =
         lead.brake_notch > 0 ? -ability_.dynamic_brake_N(lead.brake_notch, view.speed_mps) / ability_.mass_kg : 0.0;
-  const double full = line_.fullService(view.speed_mps);
-  const double felt = full > 0.0 ? std::fabs(view.air_brake_N) / ability_.mass_kg / full : 0.0;
+  const double felt = feltShare(view);
   const double asked = controls.reduction_Pa / ability_.full_service_reduction_Pa;
   const double since_air_s = rail::toSeconds(view.t - controls.air_changed);
   const double delay_s = asked > felt ? response.delay_s : response.release_delay_s;
@@ -84,13 +94,12 @@ TimetableDriver::Course TimetableDriver::fullDynamicBrake(const DriverView& view
 TimetableDriver::Ahead TimetableDriver::lookAhead(const DriverView& view, const State& state, const Course& course,
                                                   double horizon_s, double from_s) const {
   const BrakeResponse& response = ability_.brake_response;
-  const double pull = view.traction_N / ability_.mass_kg;
+  const double pull = feltPull(view);
   const double known = (view.grade_N + view.resistance_N) / ability_.mass_kg + line_.loss(view.location_m);
   Ahead ahead;
   ahead.s_m = view.location_m;
   ahead.speed_mps = view.speed_mps;
-  const double full = line_.fullService(view.speed_mps);
-  double share = full > 0.0 ? std::fabs(view.air_brake_N) / ability_.mass_kg / full : 0.0;
+  double share = feltShare(view);
   for (double t = kLookStep_s; t <= horizon_s + 0.5 * kLookStep_s; t += kLookStep_s) {
     const double done = std::min(1.0, (t - 0.5 * kLookStep_s) / course.ramp_s);
     if (t > course.air_delay_s)

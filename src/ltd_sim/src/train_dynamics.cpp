@@ -83,11 +83,13 @@ void TrainDynamics::fillView(const TrainState& state, TrainForces& forces) const
   view.t = static_cast<rail::Nanoseconds>(state.step) * step_ns_;
   view.location_m = leadingLocation(state);
   view.speed_mps = leadingSpeed(state);
-  view.grade_N = view.resistance_N = view.air_brake_N = view.traction_N = 0.0;
+  view.grade_N = view.resistance_N = view.air_brake_N = view.traction_N = view.loco_shoes_N = 0.0;
   for (std::size_t i = 0; i < train_.vehicles.size(); ++i) {
     view.grade_N += forces.grade_N[i];
     view.resistance_N += forces.propulsion_N[i] + forces.curving_N[i];
     view.air_brake_N += forces.air_brake_N[i];
+    if (is_locomotive_[i] && state.v_mps[i] != 0.0)
+      view.loco_shoes_N -= std::copysign(forces.shoe_N[i], state.v_mps[i]);
   }
   for (const double traction_N : state.traction_N) view.traction_N += traction_N;
   view.pipe_pressure_Pa =

@@ -85,8 +85,9 @@ class PointTrain {
     view.speed_mps = v;
     view.grade_N = grade();
     view.resistance_N = v > 0.0 ? -davis(v) : 0.0;
-    view.traction_N = force_N;
-    view.air_brake_N = v > 0.0 ? -air_N : 0.0;
+    view.loco_shoes_N = v > 0.0 ? -loco_shoes_share * air_N : 0.0;
+    view.air_brake_N = v > 0.0 ? -(1.0 - loco_shoes_share) * air_N : 0.0;
+    view.traction_N = force_N + view.loco_shoes_N;
     view.speed_limit_mps = limit();
     view.pipe_pressure_Pa = driver_.lead(state).pipe_pressure_Pa;
     return view;
@@ -103,7 +104,8 @@ class PointTrain {
   ltd::Driver::State state;
   Seen seen;
   rail::Nanoseconds t = 0;
-  double air_lag_s = 5.0;  ///< to fill cylinders
+  double air_lag_s = 5.0;         ///< to fill cylinders
+  double loco_shoes_share = 0.0;  ///< so much of the air brake is the locomotives' shoes
 
  private:
   double grade() const {

@@ -85,6 +85,26 @@ TEST(TimetableDriverTest, StopsOnTheWayWaitsAndGoesOn) {
   EXPECT_NEAR(train.s, 16000.0, 20.0);
 }
 
+/// The share of one locomotive of 134 t with two wagons of 120 t. The same train to him, or he counts shoes twice.
+TEST(TimetableDriverTest, HeBrakesAlikeWhicheverVehiclesTheShoesAreOn) {
+  const rail::Track track =
+      drivers::line(kLevel + ", {from_km: 3, grade_permille: -25}, {from_km: 6, grade_permille: 0}",
+                    "{from_km: 0, limit_kmph: 60}, {from_km: 8, limit_kmph: 30}, {from_km: 9, limit_kmph: 60}");
+  for (const char* release : {"direct", "graduated"}) {
+    const ltd::Driver driver = timetable("{location_km: 12, stop: true}", track, drivers::ability(),
+                                         std::string("brake_release: ") + release + "\n");
+    PointTrain wagons(driver, track, 1000.0, 55.0 * kKmph), all(driver, track, 1000.0, 55.0 * kKmph);
+    all.loco_shoes_share = 134.0 / 374.0;
+    while (!stands(wagons) && wagons.seconds() < 3600.0) {
+      wagons.step();
+      all.step();
+      ASSERT_NEAR(all.s, wagons.s, 1e-3) << release << " at " << wagons.seconds() << " s";  // of sums' last bits
+    }
+    EXPECT_TRUE(stands(all)) << release;
+    EXPECT_GE(wagons.seen.air_changes, 2) << release;
+  }
+}
+
 TEST(TimetableDriverTest, CruisingTheNotchDoesNotHunt) {
   const rail::Track track = drivers::line(kLevel, "{from_km: 0, limit_kmph: 60}");
   const ltd::Driver driver = timetable("{location_km: 30}", track, drivers::ability());

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "brake_fixtures.hpp"
+#include "ltd_sim/train_ability.hpp"
 #include "rail_core/testing/verification.hpp"
 
 namespace {
@@ -97,6 +98,35 @@ TEST(TrainBrakingTest, FullBrakeRetardsTheTrainByRatioTimesFriction) {
                 moved_m, 0.3, "the vehicles do not stop all at once"});
   for (std::size_t i = 3; i < 108; ++i)
     EXPECT_LT(std::abs(stop.state.v_mps[i]), 1e-12) << i;  // the others swing in their slack
+}
+
+/// One locomotive and two wagons, all with shoes.
+TEST(TrainBrakingTest, TheDriverSeesTheShoesOfAllVehiclesThatHisFullServiceCounts) {
+  ltd::TrainModel train =
+      fixtures::makeTrain({freeVehicle(134e3), freeVehicle(120e3), freeVehicle(120e3)}, {0}, fixtures::draftGear());
+  for (const rail::Vehicle& v : train.vehicles) train.brakes.push_back(fixtures::tenthOfWeight(v));
+  const ltd::Scenario scenario =
+      braked(train, makeTrack(), "over: time\npipe_bar: [[0, 3.5]]", 20.0, 20.0, "full_service");
+  const double full_N = ltd::computeAbility(train, scenario.air_brake).full_service_N(15.0);
+  const double loco_N = 0.36 * 0.1 * 134e3 * kGravity_mps2;
+  int seen = 0;
+  run(scenario, [&](const ltd::StepRecord& record) {
+    const ltd::DriverView& view = record.forces.view;
+    if (record.before.step == 0) return;  // traction is that of the step before
+    ++seen;
+    ASSERT_NEAR(view.loco_shoes_N, -loco_N, 1e-9 * full_N);
+    ASSERT_NEAR(view.air_brake_N + view.loco_shoes_N, -full_N, 1e-9 * full_N);
+    ASSERT_NEAR(view.traction_N, view.loco_shoes_N, 1e-9 * full_N);
+  });
+  EXPECT_GT(seen, 9000);
+}
+
+TEST(TrainBrakingTest, AtAStandTheDriverSeesNoLocomotiveShoesRub) {
+  ltd::TrainModel train =
+      fixtures::makeTrain({freeVehicle(134e3), freeVehicle(120e3), freeVehicle(120e3)}, {0}, fixtures::draftGear());
+  for (const rail::Vehicle& v : train.vehicles) train.brakes.push_back(fixtures::tenthOfWeight(v));
+  run(braked(train, makeTrack(), "over: time\npipe_bar: [[0, 3.5]]", 0.0, 1.0, "full_service"),
+      [&](const ltd::StepRecord& record) { ASSERT_EQ(record.forces.view.loco_shoes_N, 0.0); });
 }
 
 TEST(TrainBrakingTest, HoldsOnAGradeWithoutCreeping) {

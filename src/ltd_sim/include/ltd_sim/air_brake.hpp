@@ -45,7 +45,11 @@ class AirBrake {
   /// Graduated release: at a smaller reduction of the pipe the brakes are off [Pa]; direct: 0.
   double fullReleaseReduction() const { return distributor_.fullReleaseReduction(); }
 
-  State initialState() const;
+  State initialState() const { return stateAtRest(start_Pa_); }
+
+  /// At rest with the pipe at this pressure, reached from the charged one with full reservoirs; cylinders are full if
+  /// it is not charged, so it must be that of full service then.
+  State stateAtRest(double pipe_Pa) const;
 
   /// Advances the brake by H with the command held. H must be the same in all steps. Allocates in the first step only.
   void step(const DriverCommand& command, rail::Nanoseconds H, State& state) const;

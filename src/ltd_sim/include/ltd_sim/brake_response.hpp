@@ -6,7 +6,8 @@ namespace ltd {
 /// that presses follows what is asked for after a delay and at a limited rate, the mean over all vehicles:
 ///   dx/dt = fill or -release, until x = what was asked for `delay` before                              (V9)
 /// so a share x that is asked for now is worth as much as one that is there after delay + x/(2 fill).
-/// Not modelled: that the head brakes before the tail.
+/// Not modelled: that the head brakes before the tail; that direct-release brakes give less as long as their reservoirs
+/// are not full again.
 struct BrakeResponse {
   double delay_s = 0.0;
   double fill_per_s = 1.0;  ///< default chosen: as good as at once
@@ -25,8 +26,8 @@ struct BrakeResponse {
 class AirBrake;
 struct TrainModel;
 
-/// Tried out on the train's own brake: full service from released and back, a first reduction and back. Delay and rate
-/// are those of the ramp with the same area and the same slope from 10 to 90 %.
+/// Tried out on the train's own brake, each time with full reservoirs: full service from released and back, a first
+/// reduction and back. Delay and rate are those of the ramp with the same area and the same slope from 10 to 90 %.
 BrakeResponse computeBrakeResponse(const TrainModel& train, const AirBrake& air_brake);
 
 }  // namespace ltd

@@ -36,6 +36,7 @@ struct DriverView {
   double resistance_N = 0.0;      ///< Eqs. (5) and (6), <= 0 running forward
   double traction_N = 0.0;        ///< locomotives' forces at the rail in the last step, < 0 braking
   double air_brake_N = 0.0;       ///< wagons' shoes, <= 0 running forward
+  double loco_shoes_N = 0.0;      ///< locomotives' shoes: part of traction_N; <= 0 running forward, 0 at a stand
   double speed_limit_mps = 0.0;   ///< lowest under the train
   double pipe_pressure_Pa = 0.0;  ///< in the pipe at the leading vehicle, over the atmosphere
 };

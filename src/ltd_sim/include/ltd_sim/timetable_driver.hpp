@@ -94,6 +94,8 @@ class TimetableDriver {
   double brakeReference(double s_m, const State& state) const;
   double wantedBrake(const Ahead& ahead, const DriverView& view, const State& state) const;
   double dynamicBrake(double v_mps) const;
+  double feltShare(const DriverView& view) const;
+  double feltPull(const DriverView& view) const;
   Course presentCourse(const DriverView& view, const State& state, const DriverCommand& lead) const;
   Course fullDynamicBrake(const DriverView& view, Course course) const;
   Ahead lookAhead(const DriverView& view, const State& state, const Course& course, double horizon_s,
