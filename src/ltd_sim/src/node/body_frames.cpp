@@ -34,10 +34,6 @@ Eigen::Isometry3d bodyFrame(const loco::BodyPose& pose) {
   return X_TB;
 }
 
-Eigen::Isometry3d unturned(const Eigen::Isometry3d& X) {
-  return Eigen::Isometry3d(Eigen::Translation3d(X.translation()));
-}
-
 geometry_msgs::TransformStamped toMsg(ros::Time stamp, const std::string& parent, const std::string& child,
                                       const Eigen::Isometry3d& X) {
   geometry_msgs::TransformStamped msg;
@@ -67,10 +63,11 @@ BodyFrames::BodyFrames(const Scenario& scenario) : track_(scenario.track), macro
 }
 
 const tf2_msgs::TFMessage& BodyFrames::compute(const StepRecord& record) {
+  const rail::Nanoseconds t = static_cast<rail::Nanoseconds>(record.after.step) * macro_step_;
   msg_.transforms.clear();
   for (std::size_t i = 0; i < locomotives_.size(); ++i)
-    add(i, static_cast<rail::Nanoseconds>(record.after.step) * macro_step_, record.answers[i]->location_m,
-        record.answers[i]->state);
+    add(i, t, record.answers[i]->location_m, record.answers[i]->state);
+  addTrain(t, record.answers.front()->location_m);
   return msg_;
 }
 
@@ -81,6 +78,7 @@ const tf2_msgs::TFMessage& BodyFrames::computeStart(const TrainState& state) {
     const loco::LocoStart start = locomotives_[i]->equilibriumState(location_m, state.v_mps[vehicles_[i]]);
     if (start.failure.empty()) add(i, 0, location_m, start.state);  // the run's first step will say why, if not
   }
+  addTrain(0, state.s_m[vehicles_.front()]);
   return msg_;
 }
 
@@ -88,12 +86,17 @@ void BodyFrames::add(std::size_t i, rail::Nanoseconds t, double location_m, cons
   const ros::Time stamp = toStamp(t);
   const std::string name = "loco_" + std::to_string(i + 1) + "/";
   const Eigen::Isometry3d X_WL = trackFrame(track_, location_m);
-  if (i == 0) msg_.transforms.push_back(toMsg(stamp, "map", "train", unturned(X_WL)));
   msg_.transforms.push_back(toMsg(stamp, "map", name + "base_link", X_WL));
   for (const loco::BodyPose& pose : locomotives_[i]->computePoses(state)) {
     const Eigen::Isometry3d X_WB = trackFrame(track_, pose.location_m) * bodyFrame(pose);
     msg_.transforms.push_back(toMsg(stamp, name + "base_link", name + pose.name, X_WL.inverse() * X_WB));
   }
+}
+
+/// Last: who has it, has all others of the message.
+void BodyFrames::addTrain(rail::Nanoseconds t, double location_m) {
+  const Eigen::Isometry3d unturned(Eigen::Translation3d(trackFrame(track_, location_m).translation()));
+  msg_.transforms.push_back(toMsg(toStamp(t), "map", "train", unturned));
 }
 
 }  // namespace ltd

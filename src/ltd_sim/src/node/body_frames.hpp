@@ -26,6 +26,7 @@ class BodyFrames {
 
  private:
   void add(std::size_t i, rail::Nanoseconds t, double location_m, const std::vector<double>& state);
+  void addTrain(rail::Nanoseconds t, double location_m);
 
   rail::WorldTrack track_;
   rail::Nanoseconds macro_step_;
