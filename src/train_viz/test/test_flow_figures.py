@@ -113,6 +113,17 @@ class FlowFiguresTest(unittest.TestCase):
         number = f'{run.account["brake_rail"][-1] / 1e6:.1f}'
         self.assertIn(f'at the rail\n{number} MJ', texts(draw_energy_flow(run)))
 
+    def test_narrow_band_of_the_brakes_has_its_words_below_it(self):
+        run = self.changed(self.braked)
+        for books in (run.locos, run.account):
+            for name in ('brake_rail', 'recovered_rim'):
+                books[name] *= 0.1
+        run.locos['energy_slip'] *= 0.1
+        run.account['residual'][:] = 0.0
+        words = texts(draw_energy_flow(run))
+        self.assertIn("locomotives'\nbrakes, at the\nrail", words)
+        self.assertNotIn("brakes,\nat the rail", words)
+
     def test_supply_closes_from_fuel_to_rim(self):
         supply = supply_MJ(self.braked)
         rim, recovered = 3e-6 * self.written['rim'][-1], 3e-6 * self.written['recovered'][-1]
