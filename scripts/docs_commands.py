@@ -39,7 +39,6 @@ INSTEAD = [
     (r'roslaunch (--.*)', r'roslaunch \1', ''),
     (r'roslaunch (.*)', r'launch \1', 'runs for minutes; launch_test.py and graph_test.py launch'),
     (r'rviz -d FILE', 'test -f config/rviz/train.rviz', 'needs a screen'),
-    (r'rosparam set use_sim_time true; (rosbag play --clock) .*', r'\1 --help | grep -e --clock', 'goes with a player'),
     (r'rosbag play (-\S+).*', r'rosbag play --help | grep -e "\1"', 'plays in real time'),
     (r'rosrun (\S+ \S+)', r'rosrun \1 --help', 'names a program'),
     (r'rosbag (reindex)', r'rosbag \1 --help', 'names no bag'),

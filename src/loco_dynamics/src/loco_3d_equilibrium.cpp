@@ -1,7 +1,6 @@
 // Where a 3D locomotive starts: quasi-static equilibrium on its place of the track.
 
 #include <algorithm>
-#include <cmath>
 
 #include "loco_dynamics/frame_forces.hpp"
 #include "loco_dynamics/loco_3d.hpp"

@@ -1,8 +1,5 @@
 // Levenberg's and Marquardt's method for a 3D locomotive's equilibrium.
 
-#include <algorithm>
-#include <cmath>
-
 #include "loco_dynamics/loco_3d.hpp"
 #include "rail_core/message_number.hpp"
 

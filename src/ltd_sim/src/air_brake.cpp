@@ -1,7 +1,6 @@
 #include "ltd_sim/air_brake.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ltd {
 

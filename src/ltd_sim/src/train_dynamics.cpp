@@ -234,13 +234,6 @@ void TrainDynamics::advance(TrainState& state, const TrainForces& forces,
   ++state.step;
 }
 
-std::string TrainDynamics::step(TrainState& state, const TrainForces& forces,
-                                const std::vector<const loco::LocoTraction*>& answers) {
-  std::string fault = computeSpeeds(state, forces, answers);
-  if (fault.empty()) advance(state, forces, answers);
-  return fault;
-}
-
 int TrainDynamics::vehicleOffTrack(const TrainState& state) const {
   if (state.s_m.front() > track_.end_m()) return 0;
   if (state.s_m.back() < track_.start_m()) return static_cast<int>(state.s_m.size()) - 1;

@@ -41,7 +41,8 @@ TEST(OfflineArgumentsTest, TellsWhatIsWrong) {
   EXPECT_EQ(fault({"s.yaml", "--out", "d", "--set", "a"}), "--set a: must read key=value");
   EXPECT_EQ(fault({"s.yaml", "--out", "d", "--set", "=1"}), "--set =1: must read key=value");
   EXPECT_EQ(fault({"s.yaml", "--outt", "d"}), "--outt: unknown option, did you mean '--out'?");
-  EXPECT_EQ(fault({"s.yaml", "--record"}), "--record: unknown option; there are: --out, --set, --jobs, --no-bag, --help");
+  EXPECT_EQ(fault({"s.yaml", "--record"}),
+            "--record: unknown option; there are: --out, --set, --jobs, --no-bag, --help");
   EXPECT_EQ(fault({"s.yaml", "--out=d"}), "--out=d: unknown option, write '--out', a blank, its value");
   EXPECT_EQ(fault({"s.yaml", "--out", "--no-bag"}), "--out: needs a value after it");
   EXPECT_EQ(fault({"s.yaml", "t.yaml", "--out", "d"}), "t.yaml: one scenario at a time (the first was s.yaml)");

@@ -170,10 +170,12 @@ TEST_F(ScenarioFaultTest, AFaultyTrainDoesNotAccuseTheHabitsOfADriverWhoKeepsATi
 TEST_F(ScenarioFaultTest, AMisspeltKeyThatNamesAFileIsToldAsItIsWritten) {
   replace("config/scenarios/paper_2d.yaml", "control_file:", "contrl_file:");
   const std::vector<std::string> lines = faults({}, "scenarios/paper_2d.yaml");
-  EXPECT_EQ(lines, (std::vector<std::string>{
-                       "scenarios/paper_2d.yaml: control: is missing: must be a map, here or in the file that control_file names",
-                       "scenarios/paper_2d.yaml: contrl_file = ../control/pi_per_axle.yaml: unknown key, "
-                       "did you mean 'control_file'?"}))
+  EXPECT_EQ(
+      lines,
+      (std::vector<std::string>{
+          "scenarios/paper_2d.yaml: control: is missing: must be a map, here or in the file that control_file names",
+          "scenarios/paper_2d.yaml: contrl_file = ../control/pi_per_axle.yaml: unknown key, "
+          "did you mean 'control_file'?"}))
       << fixtures::joined(lines);
 }
 

@@ -87,19 +87,44 @@ TEST_F(SummaryWriterTest, OfASupplyItShowsWhatNobodyGaveAndWhatTheChainDoesNotEx
   next.s_m[1] += 10.0;
   next.supply[0].motored_rim_J = 400.0;
   next.supply[0].unserved_J = 160.0;
-  next.supply[0].overload_J = 8.0;
   run_.stepTo(writer, next);
   writer.onEnd(run_.state, {});
   std::map<std::string, std::string> of_first;
   for (const Row& row : locoRows())
     if (row[1] == "2") of_first[row[2] + " " + row[3]] = row[5];
   EXPECT_EQ(of_first["energy_unserved J"], "40");
-  EXPECT_EQ(of_first["energy_overload J"], "2");
   EXPECT_EQ(of_first["energy_supply_residual J"], "-60");  // (F12): a quarter of 160 - 400
   EXPECT_EQ(of_first.count("energy_fuel J"), 0u);
   for (const ltd::SupplyFigure& figure : ltd::kSupplyFigures)
     EXPECT_EQ(of_first.count(std::string("energy_") + figure.name + " J"), (battery.*figure.concerns)() ? 1u : 0u)
         << figure.name;
+}
+
+TEST_F(SummaryWriterTest, WhatIsAskedBeyondItsRatedPowerIsTheEnginesOnly) {
+  using fixtures::supplyHead;
+  const std::map<std::string, bool> has_engine = {
+      {supplyHead("diesel") + fixtures::engineText(), true},
+      {supplyHead("diesel_storage") + fixtures::engineText() + fixtures::storageText(), true},
+      {supplyHead("storage") + fixtures::storageText(), false},
+      {supplyHead("overhead_line") + fixtures::lineText(true), false}};
+  for (const auto& [text, has] : has_engine) {
+    fixtures::HandMadeRun run;
+    run.scenario.output.report_locations_m = {3002.5};
+    const ltd::PowerSupply read =
+        fixtures::readMap(text, [](rail::YamlReader reader) { return ltd::PowerSupply::read(reader, 0.0); });
+    for (ltd::PowerSupply& supply : run.scenario.train.supplies) supply = read;
+    ltd::SummaryWriter writer(run.scenario, path("summary.csv"));
+    run.start(writer);
+    ltd::TrainState next = run.state;
+    next.s_m[1] += 10.0;
+    next.supply[0].overload_J = 8.0;
+    run.stepTo(writer, next);
+    writer.onEnd(run.state, {});
+    std::vector<std::string> values;
+    for (const Row& row : locoRows())
+      if (row[1] == "2" && row[2] == "energy_overload") values.push_back(row[5]);
+    EXPECT_EQ(values, has ? std::vector<std::string>{"2"} : std::vector<std::string>{}) << text;
+  }
 }
 
 TEST_F(SummaryWriterTest, ReportsEveryLocationOnceHoweverManyLieInAStepAndNoneThatIsNotReached) {

@@ -113,7 +113,7 @@ ltd::TrainState bookedStep(double reference_N, const loco::LocoTraction& answer)
                     10.0);
   rig.dynamics.computeForces(rig.state, rig.forces);
   rig.forces.reference_N[0] = reference_N;
-  rig.dynamics.step(rig.state, rig.forces, {&answer});
+  EXPECT_EQ(rig.commit({&answer}), "");
   return rig.state;
 }
 
@@ -158,7 +158,7 @@ ltd::TrainState rolledBack() {
     const double v = rig.state.v_mps[0], next = v + 0.01 * (rig.forces.grade_N[0] + rig.forces.reference_N[0]) / 100e3;
     answer.traction_N = rig.forces.reference_N[0];
     answer.work_rim_J = answer.traction_N * 0.01 * 0.5 * (v + next);  // 1D: rim = rail
-    EXPECT_EQ(rig.dynamics.step(rig.state, rig.forces, {&answer}), "");
+    EXPECT_EQ(rig.commit({&answer}), "");
   }
   EXPECT_GT(rig.state.reference_N[0], 0.0);
   EXPECT_LT(rig.state.v_mps[0], 0.0);

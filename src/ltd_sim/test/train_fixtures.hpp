@@ -133,7 +133,13 @@ class Rig {
     dynamics.computeForces(state, forces);
     for (std::size_t i = 0; i < answers.size(); ++i)
       answers[i].traction_N = i < traction_N.size() ? traction_N[i] : 0.0;
-    return dynamics.step(state, forces, pointers_);
+    return commit(pointers_);
+  }
+  /// The end of a step: with `forces` as they are and these answers.
+  std::string commit(const std::vector<const loco::LocoTraction*>& given) {
+    std::string fault = dynamics.computeSpeeds(state, forces, given);
+    if (fault.empty()) dynamics.advance(state, forces, given);
+    return fault;
   }
 
   double momentum() const {

@@ -112,7 +112,8 @@ TEST_F(YamlReaderTest, AbsentMapIsReportedOnce) {
   EXPECT_FALSE(reader.has("a"));
   reader.refuse("a", "is refused");
   reader.finish();
-  EXPECT_EQ(problems_.lines(), Lines{"f.yaml: gone: is missing: must be a map, here or in the file that gone_file names"});
+  EXPECT_EQ(problems_.lines(),
+            Lines{"f.yaml: gone: is missing: must be a map, here or in the file that gone_file names"});
 }
 
 TEST_F(YamlReaderTest, UnknownKeysThatNameAFileAreToldAsTheyAreWrittenWhereTheyStand) {

@@ -1,6 +1,5 @@
 #include "wheel_rail_contact_table.hpp"
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

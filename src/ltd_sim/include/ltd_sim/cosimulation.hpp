@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "loco_dynamics/loco_port.hpp"
@@ -15,9 +14,8 @@ namespace ltd {
 
 /// Drives the train and its locomotives, macro step by macro step:
 ///   begin()      forces at t_k, sent to every locomotive; a driver in another program is asked first
-///   tryCommit()  once he and all N have answered: speeds compared (the paper's synchronisation check), one step of LTD
-///   with
-///                the very forces that were sent, energies, observers, end of the run
+///   tryCommit()  once he and all N have answered: speeds compared (the paper's synchronisation check), one step of
+///                LTD with the very forces that were sent, energies, observers, end of the run
 /// An observer that throws (a full disk, say) fails the run with its reason; the others still see the end.
 /// Never waits: whoever calls decides how. Sums run in index order, so the result does not depend on who answers first.
 class Cosimulation {
@@ -50,7 +48,8 @@ class Cosimulation {
   double leadingLocation() const { return dynamics_.leadingLocation(state_); }
   double leadingSpeed() const { return dynamics_.leadingSpeed(state_); }
   const TrainForces& forces() const { return forces_; }
-  /// What a reader of the results should know, though the run goes on: late arrivals, empty stores, a silent driver.
+  /// What a reader of the results should know, though the run goes on: late arrivals, speed limits exceeded, empty
+  /// stores, an external driver who is silent or whose answers were refused.
   std::vector<std::string> notes() const;
   /// Largest difference of a locomotive's speed from LTD's so far [m/s].
   double largestDrift() const { return largest_drift_mps_; }

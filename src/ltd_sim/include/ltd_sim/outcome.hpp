@@ -11,7 +11,7 @@ struct Outcome {
   enum class Kind { kRunning, kFinished, kStopped, kFailed, kRefused };
   Kind kind = Kind::kRunning;
   std::string reason;                 ///< in words
-  std::vector<std::string> notes;     ///< what happened on the way: late arrivals, limits exceeded, empty stores
+  std::vector<std::string> notes;     ///< what happened on the way: Cosimulation::notes()
   std::uint64_t exchange_digest = 0;  ///< of every payload exchanged over the whole run: same number, same bits
 
   bool ended() const { return kind != Kind::kRunning; }

@@ -13,9 +13,9 @@ namespace ltd {
 ///                                |---- auxiliaries, storage, line, resistors
 ///
 /// Motoring, the storage gives first (strategy `assist`, chosen), engine or line the rest; what then lacks, the
-/// auxiliaries do without. Braking, what comes back
-/// feeds the auxiliaries, then the storage, then a line that takes it, and the rest heats the resistors. The engine
-/// never charges the storage (chosen). Equations (F1) to (F16): docs/energy.md.
+/// auxiliaries do without. Braking, what comes back feeds the auxiliaries, then the storage, then a line that takes it,
+/// and the rest heats the resistors. The engine never charges the storage (chosen). Equations (F1) to (F16):
+/// docs/energy.md.
 ///
 /// YAML `supply`: name, kind (diesel, diesel_storage, storage, overhead_line), drivetrain_efficiency,
 /// auxiliary_power_W, auxiliary_share_of_rim_power; with an engine `engine` and generator_efficiency, with a storage

@@ -42,10 +42,8 @@ class TrainDynamics {
                             const std::vector<const loco::LocoTraction*>& answers);
   /// Per vehicle, as computeSpeeds() left them.
   const std::vector<double>& nextSpeeds() const { return v_next_; }
-  /// Advances to those speeds and books the energy.
+  /// Advances to those speeds and books the energy. @pre computeSpeeds() with the same arguments found nothing wrong
   void advance(TrainState& state, const TrainForces& forces, const std::vector<const loco::LocoTraction*>& answers);
-  /// computeSpeeds(), and advance() if there was nothing wrong.
-  std::string step(TrainState& state, const TrainForces& forces, const std::vector<const loco::LocoTraction*>& answers);
 
   /// Brings the stored energies of the account (kinetic, potential, couplers) up to the state.                 (T9)
   void updateStoredEnergies(TrainState& state) { booking_.updateStoredEnergies(state); }

@@ -1,7 +1,6 @@
 #include "conversions.hpp"
 
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 #include "ltd_sim/supply_figures.hpp"
@@ -50,7 +49,13 @@ constexpr std::pair<List, double PowerSupply::State::*> kSupplyLists[] = {
     {&EnergyMsg::loco_to_resistors, &PowerSupply::State::to_resistors_J},
     {&EnergyMsg::loco_unserved, &PowerSupply::State::unserved_J},
 };
-static_assert(std::size(kSupplyLists) == std::tuple_size_v<decltype(kSupplyFigures)>);
+constexpr bool areSupplyFigures() {
+  if (std::size(kSupplyLists) != kSupplyFigures.size()) return false;
+  for (std::size_t i = 0; i < kSupplyFigures.size(); ++i)
+    if (kSupplyLists[i].second != kSupplyFigures[i].energy_J) return false;
+  return true;
+}
+static_assert(areSupplyFigures(), "the same energies in the same order");
 
 }  // namespace
 

@@ -15,8 +15,9 @@ namespace ltd {
 
 /// Publishes a run as it goes, at the scenario's telemetry interval in simulation time: /train/state, /train/energy,
 /// /clock and, for locomotives with wheels, /loco_i/adhesion, all of committed steps; /train/configuration once; /tf no
-/// more than 30 times a second of wall time, for eyes. All but the clock are latched, and the start and every step in
-/// which the train is held are published, too: who comes late sees the train where it stands.
+/// more than 30 times a second of wall time, for eyes. All but the clock are latched, and the start, every step in
+/// which the train is held, and the end are published, too, without the energies: who comes late sees the train where
+/// it stands.
 class TelemetryPublisher : public RunObserver {
  public:
   TelemetryPublisher(const Scenario& scenario, std::uint64_t run_id);

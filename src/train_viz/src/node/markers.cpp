@@ -1,6 +1,5 @@
 #include "markers.hpp"
 
-#include <cmath>
 #include <stdexcept>
 
 namespace viz {

@@ -13,7 +13,6 @@
 #include <QPainter>
 #include <QPen>
 #include <algorithm>
-#include <cmath>
 
 #include "../plots/legend_corner.hpp"
 
