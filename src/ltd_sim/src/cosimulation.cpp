@@ -7,6 +7,7 @@
 #include <exception>
 #include <utility>
 
+#include "kilometres.hpp"
 #include "rail_core/digest.hpp"
 #include "rail_core/message_number.hpp"
 #include "run_end.hpp"

@@ -10,7 +10,6 @@ namespace {
 constexpr double kHysteresis = 0.75;  // chosen: > 1/2, or two notches would both be right
 constexpr double kRounding = 1e-9;    // of a step: so that a whole number of them stays one
 constexpr int kReversal = 5;          // chosen: a notch is taken back after five times the hold at the earliest
-constexpr rail::Nanoseconds kQuickHold = 1000000000;  // chosen: a notch a second to idle and to a far brake notch
 
 /// One notch up, one down or none, by the force wanted.
 int wantedMove(int notch, int notches, double wanted_N, double v_mps,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "kilometres.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/message_number.hpp"
 
@@ -16,7 +17,6 @@ constexpr double kLargestCount = 1e15;  // of steps and nanoseconds times 1e3: f
 constexpr double kLongestLag_s = 0.1;  // of wall time that a paced run may catch up: what was waited for is not
 
 std::string seconds(double s) { return rail::fixedNumber(s, 3) + " s"; }
-std::string kilometres(double s_m) { return rail::fixedNumber(s_m / rail::kMetresPerKilometre, 3) + " km"; }
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "kilometres.hpp"
 #include "rail_core/constants.hpp"
 #include "rail_core/message_number.hpp"
 
@@ -51,8 +52,6 @@ std::string runaway(double location_m, double speed_mps, double limit_mps) {
 }
 
 }  // namespace
-
-std::string kilometres(double s_m) { return rail::fixedNumber(s_m / rail::kMetresPerKilometre, 3) + " km"; }
 
 std::optional<Ending> findEnding(const Scenario& scenario, const TrainDynamics& dynamics, const TrainForces& forces,
                                  const std::string& silence, TrainState& state) {

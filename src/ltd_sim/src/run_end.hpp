@@ -21,7 +21,4 @@ struct Ending {
 std::optional<Ending> findEnding(const Scenario& scenario, const TrainDynamics& dynamics, const TrainForces& forces,
                                  const std::string& silence, TrainState& state);
 
-/// `3.142 km`
-std::string kilometres(double s_m);
-
 }  // namespace ltd

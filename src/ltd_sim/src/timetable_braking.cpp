@@ -18,15 +18,16 @@ constexpr double kTrimBand_mps = 1.0;    // chosen: downhill the speed may fall 
 constexpr double kCurveBand_mps = 0.25;  // chosen: likewise on the curve down to a limit or a stop
 constexpr double kSlowBand_mps = 0.5;    // chosen: as slow as this the air alone must make the train before it is eased
 constexpr double kReleaseBand_mps = 3.0;  // chosen: 11 km/h, or direct brakes would be applied and released in turn
-constexpr double kEasedShare = 0.95;  // chosen: as soon as the dynamic brake can do it with this share, air is eased
-constexpr double kAirShare = 0.8;     // chosen: air is set so that the dynamic brake can trim both ways
-constexpr double kHysteresis = 0.3;   // chosen, of a step of the pipe
-constexpr double kSafe_s = 10.0;      // chosen: so long after a release the speed must still be right
-constexpr double kSettled_s = 5.0;    // chosen: after that what is felt counts, not what was reckoned
-constexpr double kNotchTime_s = 1.0;  // as in driver_controls.cpp: a notch a second to a far one
-constexpr int kEasing = 5;            // chosen: air is eased after five times the hold
-constexpr double kHeld_Pa = 0.05e5;   // chosen: so much above the reduction that lets brakes go
-constexpr double kStanding_mps = 0.05;
+constexpr double kEasedShare = 0.95;   // chosen: as soon as the dynamic brake can do it with this share, air is eased
+constexpr double kAirShare = 0.8;      // chosen: air is set so that the dynamic brake can trim both ways
+constexpr double kHysteresis = 0.3;    // chosen, of a step of the pipe
+constexpr double kSafe_s = 10.0;       // chosen: so long after a release the speed must still be right
+constexpr double kAirSettled_s = 5.0;  // chosen: after that what is felt counts, not what was reckoned
+constexpr double kNotchSettled = 3.0;  // chosen: likewise of a notch, in times of reaction
+constexpr double kFirstNotch = 2.0;    // chosen: of these until he has begun and a first notch acts
+const double kNotchTime_s = rail::toSeconds(DriverControls::kQuickHold);  // to a far one
+constexpr int kEasing = 5;           // chosen: air is eased after five times the hold
+constexpr double kHeld_Pa = 0.05e5;  // chosen: so much above the reduction that lets brakes go
 
 }  // namespace
 
@@ -69,7 +70,7 @@ TimetableDriver::Course TimetableDriver::presentCourse(const DriverView& view, c
   course.ramp_s = reaction_s_;
   course.locomotives_mps2 = lead.notch > 0 ? 0.0 : feltPull(view);  // before braking he shuts off
   const double since_notch_s = rail::toSeconds(view.t - controls.brake_notch_changed);
-  if (lead.notch == 0 && since_notch_s < 3.0 * reaction_s_)
+  if (lead.notch == 0 && since_notch_s < kNotchSettled * reaction_s_)
     course.locomotives_mps2 =
         lead.brake_notch > 0 ? -ability_.dynamic_brake_N(lead.brake_notch, view.speed_mps) / ability_.mass_kg : 0.0;
   const double felt = feltShare(view);
@@ -77,7 +78,7 @@ TimetableDriver::Course TimetableDriver::presentCourse(const DriverView& view, c
   const double since_air_s = rail::toSeconds(view.t - controls.air_changed);
   const double delay_s = asked > felt ? response.delay_s : response.release_delay_s;
   const double change_s = std::fabs(asked - felt) / (asked > felt ? response.fill_per_s : response.release_per_s);
-  const bool under_way = since_air_s < delay_s + change_s + kSettled_s;
+  const bool under_way = since_air_s < delay_s + change_s + kAirSettled_s;
   course.air_share = under_way ? asked : felt;
   course.air_delay_s = std::max(0.0, delay_s - since_air_s);
   return course;
@@ -86,7 +87,7 @@ TimetableDriver::Course TimetableDriver::presentCourse(const DriverView& view, c
 /// The same with all that the dynamic brake has.
 TimetableDriver::Course TimetableDriver::fullDynamicBrake(const DriverView& view, Course course) const {
   course.locomotives_mps2 = std::min(course.locomotives_mps2, -dynamicBrake(view.speed_mps));
-  course.ramp_s = 2.0 * reaction_s_ + kNotchTime_s * ability_.brake_notches;
+  course.ramp_s = kFirstNotch * reaction_s_ + kNotchTime_s * ability_.brake_notches;
   return course;
 }
 

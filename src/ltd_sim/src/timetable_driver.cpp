@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rail_core/constants.hpp"
+#include "kilometres.hpp"
 #include "rail_core/message_number.hpp"
 
 namespace ltd {
@@ -20,14 +20,11 @@ constexpr double kIndifferent_mps = 0.25;  // chosen: 1 km/h that he does not an
 // Downhill he leaves to the grade what it gains within a minute, up to 14 km/h; both chosen.
 constexpr double kRolls_mps = 4.0;
 constexpr double kRolls_s = 60.0;
-constexpr double kSettled_s = 30.0;         // chosen: so near to a point seconds are not worth a change of speed
+constexpr double kNearPoint_s = 30.0;       // chosen: so near to a point seconds are not worth a change of speed
 constexpr double kSlowestCruise_mps = 3.0;  // chosen: slower than that he would rather be early
-constexpr double kEasing = 0.9;  // chosen: he slows for the timetable's sake by the dynamic brake, not by air
-constexpr double kStanding_mps = 0.05;
+constexpr double kEasing = 0.9;            // chosen: he slows for the timetable's sake by the dynamic brake, not by air
 constexpr double kStopTolerance_m = 20.0;  // chosen: nearer to the stop he does not move up
 constexpr double kSlope_m = 1.0;           // chosen: distance over which a braking curve's slope is taken
-
-std::string kilometres(double s_m) { return rail::fixedNumber(s_m / rail::kMetresPerKilometre, 3) + " km"; }
 
 }  // namespace
 
@@ -96,8 +93,8 @@ void TimetableDriver::noteArrival(const Point& point, const DriverView& view, St
 void TimetableDriver::plan(const DriverView& view, State& state) const {
   const double fastest = line_.largestSpeed();
   const Point* const point = nextPoint(state);
-  const double left_s = point && point->time_s ? *point->time_s - rail::toSeconds(view.t) : -kSettled_s;
-  if (state.planned && point && !point->stop && std::fabs(left_s) < kSettled_s) return;
+  const double left_s = point && point->time_s ? *point->time_s - rail::toSeconds(view.t) : -kNearPoint_s;
+  if (state.planned && point && !point->stop && std::fabs(left_s) < kNearPoint_s) return;
   state.planned = true;
   state.cruise_mps = fastest;
   if (left_s <= 0.0) return;

@@ -11,8 +11,7 @@ namespace ltd {
 
 namespace {
 
-constexpr double kHoldingMargin =
-    1.5;  // chosen; told below. A standing train is held with so much more than the grade pulls
+constexpr double kHoldingMargin = 1.5;  // chosen: a standing train is held with so much more than the grade pulls
 
 /// A time as whole nanoseconds, to the nearest: it is compared with t, no step depends on it.
 rail::Nanoseconds readTime(rail::YamlReader& reader, const std::string& key, double fallback_s) {
@@ -73,7 +72,9 @@ void TimetableDriver::readLine(rail::YamlReader& reader, const rail::Track& trac
   if (line_.smallestSpeed() <= 0.0) reader.refuse("limit_margin_kmph", "must be below the line's lowest speed limit");
   if (ability_.full_service_N && ability_.first_reduction_Pa > DriverControls::kFirstReduction_Pa)
     reader.refuse("kind",
-                  "applies the air brake and holds at stops with 0.5 bar: air_brake.valve.first_reduction_bar " +
+                  "applies the air brake with " +
+                      rail::messageNumber(DriverControls::kFirstReduction_Pa / kPascalsPerBar) +
+                      " bar at first and holds at stops with as much at least: air_brake.valve.first_reduction_bar " +
                       rail::messageNumber(ability_.first_reduction_Pa / kPascalsPerBar) + " must not be larger");
   double least_N = ability_.full_service_N ? ability_.full_service_N(0.0) : 0.0;
   for (double v = 0.0; v <= line_.largestSpeed() && least_N > 0.0; v += 1.0)
@@ -103,7 +104,8 @@ void TimetableDriver::readStops(rail::YamlReader& reader, const rail::Track& tra
     if (kHoldingMargin * pull_N > full_N)
       points[i].refuse("location_km", "the train would not stay on the grade there: it pulls with " +
                                           std::to_string(std::lround(pull_N / 1e3)) + " kN, and full service, " +
-                                          std::to_string(std::lround(full_N / 1e3)) + " kN, must be 1.5 times that");
+                                          std::to_string(std::lround(full_N / 1e3)) + " kN, must be " +
+                                          rail::messageNumber(kHoldingMargin) + " times that");
     else
       point.holding_Pa = DriverControls::reductionFor(full_N > 0.0 ? kHoldingMargin * pull_N / full_N : 0.0, ability_);
   }

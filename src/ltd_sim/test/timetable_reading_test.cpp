@@ -47,7 +47,10 @@ TEST(TimetableReadTest, RefusesHabitsThatLineOrTrainForbid) {
 TEST(TimetableReadTest, RefusesValvesThatHisFirstReductionDoesNotMove) {
   ltd::TrainAbility can = drivers::ability();
   can.first_reduction_Pa = 0.6e5;
-  expectFault(kPoints + kHabits, {"kind = timetable", "0.5 bar", "first_reduction_bar 0.6 must not be larger"}, can);
+  expectFault(kPoints + kHabits,
+              {"kind = timetable", "with 0.5 bar at first and holds at stops with as much at least",
+               "first_reduction_bar 0.6 must not be larger"},
+              can);
 }
 
 TEST(TimetableReadTest, RefusesAStopOnAGradeThatFullServiceDoesNotHold) {

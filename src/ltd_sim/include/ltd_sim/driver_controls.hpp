@@ -26,6 +26,8 @@ class DriverControls {
   static constexpr double kFirstReduction_Pa = 0.5e5;
   /// A step of the pipe. Chosen: as fine as a self-lapping driver's valve is set.
   static constexpr double kReductionStep_Pa = 0.1e5;
+  /// Least time on a notch on the way to idle or to a far brake notch. Chosen: a notch a second.
+  static constexpr rail::Nanoseconds kQuickHold = 1000000000;
 
   /// The reduction that gives at least this share of full service: 0.5 bar, and steps of 0.1 bar up to full service.
   static double reductionFor(double share, const TrainAbility& ability);

@@ -51,6 +51,8 @@ class TimetableDriver {
   bool goesOn(const State& state) const { return state.point + (state.waiting ? 1 : 0) < points_.size(); }
 
  private:
+  static constexpr double kStanding_mps = 0.05;  ///< slower is at a stand; chosen: nobody sees such a train move
+
   struct Point {
     double location_m = 0.0;
     std::optional<double> time_s;
