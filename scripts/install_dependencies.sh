@@ -50,3 +50,4 @@ if ! { "${as_root[@]}" apt-get update -q &&
   echo "install_dependencies: apt-get failed, see above and $log" >&2
   exit 1
 fi
+rm -f "$log"

@@ -1,38 +1,19 @@
 #!/usr/bin/env python3
 """Braking and supplies: the terms that a bag has are parted, drawn and closed; runs without them have no such figures."""
 import dataclasses
-import os
-import tempfile
-import unittest
 
 import numpy as np
 import rosunit
-from matplotlib import pyplot as plt
 
-from synthetic_bag import write_bag
+from braked_runs import BRAKE_FROM_S, BrakedRunsTest
 from train_viz.account_figure import draw_energy_account
-from train_viz.bag_reader import read_bag
 from train_viz.brake_figures import draw_brake_energy, draw_brake_pressures, first_application_s
 from train_viz.energy_stages import between_rim_and_rail, supply_MJ
 from train_viz.flow_figure import flows_of
 from train_viz.run_page import run_page
 
-BRAKE_FROM_S = 40.0
 
-
-class BrakingFiguresTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        with tempfile.TemporaryDirectory() as directory:
-            path = os.path.join(directory, 'run.bag')
-            cls.written = write_bag(path, slip=0.1, limit_N=50e3, brake_from_s=BRAKE_FROM_S, air_brake=True, supply=True)
-            cls.braked = read_bag(path)
-            write_bag(path, duration_s=10.0)
-            cls.plain = read_bag(path)
-
-    def setUp(self):
-        self.addCleanup(plt.close, 'all')
-
+class BrakingFiguresTest(BrakedRunsTest):
     def test_reader_has_the_brakes(self):
         last = {name: values[-1] for name, values in self.written.items() if isinstance(values, np.ndarray)}
         self.assertEqual(self.braked.locos['brake_rail'][-1].tolist(), [last['taken']] * 3)

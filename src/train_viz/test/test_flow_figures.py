@@ -1,23 +1,16 @@
 #!/usr/bin/env python3
 """Flow pictures of runs with brakes and supplies: they close, and ribbons, nodes and names keep out of each other's way."""
 import dataclasses
-import os
-import tempfile
-import unittest
 
 import numpy as np
 import rosunit
-from matplotlib import pyplot as plt
 from matplotlib.patches import PathPatch, Rectangle
 from matplotlib.path import Path
 
-from synthetic_bag import write_bag
-from train_viz.bag_reader import read_bag
+from braked_runs import BrakedRunsTest
 from train_viz.energy_stages import supply_MJ
 from train_viz.flow_figure import SPIN, draw_energy_flow, flows_of
 from train_viz.supply_figure import draw_energy_supply, supply_flows
-
-BRAKE_FROM_S = 40.0
 
 
 def texts(figure):
@@ -51,19 +44,7 @@ def crossings(axes):
     return found
 
 
-class FlowFiguresTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        with tempfile.TemporaryDirectory() as directory:
-            path = os.path.join(directory, 'run.bag')
-            cls.written = write_bag(path, slip=0.1, limit_N=50e3, brake_from_s=BRAKE_FROM_S, air_brake=True, supply=True)
-            cls.braked = read_bag(path)
-            write_bag(path, duration_s=10.0)
-            cls.plain = read_bag(path)
-
-    def setUp(self):
-        self.addCleanup(plt.close, 'all')
-
+class FlowFiguresTest(BrakedRunsTest):
     @staticmethod
     def changed(run):
         """A copy whose books may be written."""
